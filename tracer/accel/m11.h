@@ -1,0 +1,140 @@
+// Morozov's own traversal (2011, 4.3.2), kept as an object of study: recursive over pointer nodes, both children always
+// visited, no order, no cut behind the nearest hit, primitives behind virtual calls. Only shadow rays stop early, at
+// the first occluder. What makes it slow is its subject; mend nothing here.
+#pragma once
+
+#include <memory>
+
+#include "tracer/accel/build_by_name.h"
+#include "tracer/accel/primitives.h"
+
+namespace raysweep {
+
+template <class T, class Method>
+class M11Core {
+ public:
+  using Real = T;
+
+  M11Core(const Scene& scene, const std::string& accel, int leaf_size) : primitives_(scene) {
+    for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
+      unbounded_.push_back(std::make_unique<PlaneObject>(primitives_, id));
+    }
+    const Hierarchy<T> tree = build_by_name<T>(accel, primitives_.boxes(), leaf_size);
+    if (!tree.nodes.empty()) {
+      root_ = grow(tree, 0);
+    } else {
+      for (uint32_t id = primitives_.first_sphere(); id < primitives_.count(); ++id) unbounded_.push_back(make_object(id));
+    }
+  }
+
+  [[nodiscard]] const Primitives<T, Method>& primitives() const { return primitives_; }
+
+  /// The nearest hit with t > 0.
+  [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray) const {
+    const SlabRay<T> slab_ray(ray);
+    Hit<T> nearest = nearest_of(unbounded_, ray, slab_ray);
+    if (root_) {
+      const Hit<T> inside = closest_in(*root_, ray, slab_ray);
+      if (inside.before(nearest)) nearest = inside;
+    }
+    if (nearest.is_none()) return std::nullopt;
+    return nearest;
+  }
+
+  /// Whether anything is hit with 0 < t < t_max.
+  [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
+    const SlabRay<T> slab_ray(ray);
+    return any_of(unbounded_, ray, slab_ray, t_max) || (root_ && occluded_in(*root_, ray, slab_ray, t_max));
+  }
+
+ private:
+  struct Object {
+    Object(const Primitives<T, Method>& primitives, uint32_t number) : all(primitives), id(number) {}
+    virtual ~Object() = default;
+    [[nodiscard]] virtual std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const = 0;
+    const Primitives<T, Method>& all;
+    const uint32_t id;
+  };
+  struct PlaneObject final : Object {
+    using Object::Object;
+    std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>&) const override {
+      return this->all.intersect_plane(this->id, ray);
+    }
+  };
+  struct SphereObject final : Object {
+    using Object::Object;
+    std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
+      return this->all.intersect_sphere(this->id, ray, slab_ray);
+    }
+  };
+  struct TriangleObject final : Object {
+    using Object::Object;
+    std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
+      return this->all.intersect_triangle(this->id, this->all.triangle(this->id), ray, slab_ray);
+    }
+  };
+  using Objects = std::vector<std::unique_ptr<Object>>;
+
+  struct TreeNode {
+    Box<T> box;
+    std::unique_ptr<TreeNode> left, right;
+    Objects objects;  // of a leaf
+  };
+
+  std::unique_ptr<Object> make_object(uint32_t id) const {
+    if (id < primitives_.first_triangle()) return std::make_unique<SphereObject>(primitives_, id);
+    return std::make_unique<TriangleObject>(primitives_, id);
+  }
+
+  std::unique_ptr<TreeNode> grow(const Hierarchy<T>& tree, uint32_t index) const {
+    const Node<T>& flat = tree.nodes[index];
+    auto node = std::make_unique<TreeNode>();
+    node->box = flat.box;
+    if (flat.is_leaf()) {
+      for (uint32_t i = flat.first; i < flat.first + flat.count; ++i) {
+        node->objects.push_back(make_object(primitives_.first_sphere() + tree.order[i]));
+      }
+    } else {
+      node->left = grow(tree, flat.first);
+      node->right = grow(tree, flat.first + 1);
+    }
+    return node;
+  }
+
+  static Hit<T> nearest_of(const Objects& objects, const Ray<T>& ray, const SlabRay<T>& slab_ray) {
+    Hit<T> nearest = Hit<T>::none();
+    for (const auto& object : objects) {
+      const auto t = object->intersect(ray, slab_ray);
+      if (t && Hit<T>{*t, object->id}.before(nearest)) nearest = {*t, object->id};
+    }
+    return nearest;
+  }
+
+  static Hit<T> closest_in(const TreeNode& node, const Ray<T>& ray, const SlabRay<T>& slab_ray) {
+    if (slab(node.box, slab_ray).empty()) return Hit<T>::none();
+    if (!node.left) return nearest_of(node.objects, ray, slab_ray);
+    const Hit<T> left = closest_in(*node.left, ray, slab_ray);
+    const Hit<T> right = closest_in(*node.right, ray, slab_ray);
+    return right.before(left) ? right : left;
+  }
+
+  static bool any_of(const Objects& objects, const Ray<T>& ray, const SlabRay<T>& slab_ray, T t_max) {
+    for (const auto& object : objects) {
+      const auto t = object->intersect(ray, slab_ray);
+      if (t && *t < t_max) return true;
+    }
+    return false;
+  }
+
+  static bool occluded_in(const TreeNode& node, const Ray<T>& ray, const SlabRay<T>& slab_ray, T t_max) {
+    if (slab(node.box, slab_ray).empty()) return false;
+    if (!node.left) return any_of(node.objects, ray, slab_ray, t_max);
+    return occluded_in(*node.left, ray, slab_ray, t_max) || occluded_in(*node.right, ray, slab_ray, t_max);
+  }
+
+  Primitives<T, Method> primitives_;
+  Objects unbounded_;
+  std::unique_ptr<TreeNode> root_;
+};
+
+}  // namespace raysweep

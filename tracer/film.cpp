@@ -1,0 +1,64 @@
+#include "tracer/film.h"
+
+#include <fmt/core.h>
+#include <xxhash.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace raysweep {
+
+namespace {
+
+unsigned char to_srgb_byte(float linear) {
+  const float c = std::clamp(linear, 0.0f, 1.0f);
+  const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+  return static_cast<unsigned char>(encoded * 255 + 0.5f);
+}
+
+void append(void* bytes, void* data, int size) {
+  static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+}
+
+}  // namespace
+
+std::string Film::hash() const {
+  const XXH128_hash_t h = XXH3_128bits(pixels_.data(), pixels_.size() * sizeof(Vec3f));
+  return fmt::format("{:016x}{:016x}", h.high64, h.low64);
+}
+
+void write_png(const Film& film, const std::string& path) {
+  std::vector<unsigned char> bytes;
+  bytes.reserve(film.pixels().size() * 3);
+  for (const Vec3f& p : film.pixels()) {
+    for (int channel = 0; channel < 3; ++channel) bytes.push_back(to_srgb_byte(p[channel]));
+  }
+  std::string png;
+  if (!stbi_write_png_to_func(append, &png, film.width(), film.height(), 3, bytes.data(), film.width() * 3)) {
+    throw std::runtime_error(path + ": the picture could not be encoded as PNG");
+  }
+  const std::string part = path + ".part";
+  std::ofstream file(part, std::ios::binary);
+  file.write(png.data(), static_cast<std::streamsize>(png.size()));
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(part, path, error);
+  if (!file || error) {
+    std::filesystem::remove(part, error);
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  }
+}
+
+}  // namespace raysweep

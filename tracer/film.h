@@ -1,0 +1,42 @@
+// The picture as it is computed: linear float colours, row by row.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tracer/math/vec3.h"
+
+namespace raysweep {
+
+class Film {
+ public:
+  Film(int width, int height)
+      : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+  /// Row `y` counts from the top; writing different pixels from different threads is safe.
+  [[nodiscard]] Vec3f& at(int x, int y) { return pixels_[index(x, y)]; }
+  [[nodiscard]] const Vec3f& at(int x, int y) const { return pixels_[index(x, y)]; }
+  [[nodiscard]] std::span<const Vec3f> pixels() const { return pixels_; }
+
+  /// 32 hexadecimal digits over the floats in row order, before any quantising (XXH3, 128 bits).
+  [[nodiscard]] std::string hash() const;
+
+ private:
+  [[nodiscard]] size_t index(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+  }
+
+  int width_, height_;
+  std::vector<Vec3f> pixels_;
+};
+
+/// Writes 8-bit sRGB (IEC 61966-2-1): the film is linear, colours are clamped to 0…1. The file appears whole or not at
+/// all. Throws std::runtime_error with a sentence when it cannot be written.
+void write_png(const Film& film, const std::string& path);
+
+}  // namespace raysweep

@@ -1,0 +1,33 @@
+// A half-line, and what a slab test wants to know of it in advance.
+#pragma once
+
+#include <cmath>
+
+#include "tracer/math/vec3.h"
+
+namespace raysweep {
+
+/// Points `origin + t·direction`, `t > 0`. Cameras and shading make directions of length 1, so that `t` is a distance.
+template <class T>
+struct Ray {
+  Vec3<T> origin, direction;
+
+  [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
+};
+
+/// A ray with the reciprocals and signs of its direction, computed once and used for every box.
+template <class T>
+struct SlabRay {
+  Vec3<T> origin, reciprocal;
+  // 1 where the direction points to lower coordinates. By signbit, not by `< 0`: −0 has the reciprocal −inf.
+  int negative_x, negative_y, negative_z;
+
+  explicit SlabRay(const Ray<T>& ray)
+      : origin(ray.origin),
+        reciprocal(T(1) / ray.direction.x, T(1) / ray.direction.y, T(1) / ray.direction.z),
+        negative_x(std::signbit(ray.direction.x)),
+        negative_y(std::signbit(ray.direction.y)),
+        negative_z(std::signbit(ray.direction.z)) {}
+};
+
+}  // namespace raysweep

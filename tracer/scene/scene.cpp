@@ -1,0 +1,34 @@
+#include "tracer/scene/scene.h"
+
+#include <numbers>
+
+namespace raysweep {
+
+size_t Scene::triangle_count() const {
+  size_t count = 0;
+  for (const Mesh& mesh : meshes) count += mesh.triangles.size();
+  return count;
+}
+
+Box<double> bounds_of(const Mesh& mesh) {
+  Box<double> box;
+  for (const Vec3f& vertex : mesh.vertices) box.include(Vec3d(vertex));
+  return box;
+}
+
+std::vector<Light> light_dome(int count, const Vec3d& target, double radius) {
+  constexpr double golden_angle = std::numbers::pi * (3 - 2.23606797749979);  // (3 − √5)·π
+  constexpr double key_share = 0.7;
+  std::vector<Light> lights;
+  for (int i = 0; i < count; ++i) {
+    const double azimuth = 2.4 + i * golden_angle;  // radians from +x towards +z, the viewer's side; 2.4 is left of it
+    const double elevation = i == 0 ? 0.9 : 0.45 + 0.8 * std::fmod(i * 0.6180339887498949, 1.0);
+    const Vec3d direction(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+                          std::cos(elevation) * std::sin(azimuth));
+    const double share = count == 1 ? 1 : i == 0 ? key_share : (1 - key_share) / (count - 1);
+    lights.push_back({target + radius * direction, Colour(share, share, share)});
+  }
+  return lights;
+}
+
+}  // namespace raysweep

@@ -1,0 +1,39 @@
+// Scenes by name, and scenes from mesh files.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "tracer/scene/scene.h"
+
+namespace raysweep {
+
+/// A scene of this project's own making.
+struct BuiltInScene {
+  std::string_view name, summary;
+  Scene (*make)(int light_count);
+};
+
+/// The one list of built-in scenes.
+[[nodiscard]] std::span<const BuiltInScene> built_in_scenes();
+
+/// The scene named `name_or_file`, or, if that is no built-in name, the mesh in that file. Throws SceneError.
+[[nodiscard]] Scene load_scene(const std::string& name_or_file, int light_count);
+
+/// What is wrong with a scene, as a sentence that names it.
+struct SceneError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads OBJ, PLY, STL, glTF and whatever else Assimp reads. Throws SceneError: unreadable, empty, NaN, bad index.
+[[nodiscard]] std::vector<Mesh> load_meshes(const std::string& file);
+
+/// Why mesh files cannot be read here; empty if they can.
+[[nodiscard]] std::string why_no_mesh_files();
+
+/// `meshes` in a plain light surface before a pale background, with a camera that frames them from the front left.
+[[nodiscard]] Scene frame_meshes(std::string name, std::vector<Mesh> meshes, int light_count);
+
+}  // namespace raysweep

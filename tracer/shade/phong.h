@@ -1,0 +1,38 @@
+// The local model: what a surface point sends towards the eye by itself, lit by point lights (Phong 1975).
+#pragma once
+
+#include "tracer/scene/scene.h"
+
+namespace raysweep {
+
+/// A material in one precision, coefficients multiplied into the colours.
+template <class T>
+struct Surfacing {
+  Vec3<T> ambient, diffuse, specular;
+  T exponent, reflect;
+
+  Surfacing(const Material& m, const Colour& ambient_light)
+      : ambient(m.ambient * ambient_light * m.k_ambient),
+        diffuse(m.diffuse * m.k_diffuse),
+        specular(m.specular * m.k_specular),
+        exponent(static_cast<T>(m.exponent)),
+        reflect(static_cast<T>(m.k_reflect)) {}
+};
+
+/// `I − 2N(N·I)`.
+template <class T>
+[[nodiscard]] Vec3<T> reflect(const Vec3<T>& incident, const Vec3<T>& normal) {
+  return incident - normal * (2 * dot(normal, incident));
+}
+
+/// What one visible light adds: diffuse and specular. `cosine` is N·L > 0; `to_light` and `from_eye` have length 1.
+template <class T>
+[[nodiscard]] Vec3<T> phong(const Surfacing<T>& material, const Vec3<T>& normal, const Vec3<T>& to_light, T cosine,
+                            const Vec3<T>& from_eye) {
+  Vec3<T> sum = material.diffuse * cosine;
+  const T highlight = dot(reflect(-to_light, normal), -from_eye);
+  if (highlight > 0) sum += material.specular * std::pow(highlight, material.exponent);
+  return sum;
+}
+
+}  // namespace raysweep
