@@ -20,6 +20,7 @@ struct SchedulerInfo {
   std::string_view summary;
   bool uses_threads = true;  // false: always one
   bool uses_chunk = false;
+  int warmup_runs = 1;  // until it has settled
 };
 
 /// Every scheduler of this project, those that are not available here included.

@@ -1,0 +1,39 @@
+// One combination of factors: a row of a sweep.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "schedulers/scheduler.h"
+#include "tracer/settings.h"
+
+namespace raysweep {
+
+struct Cell {
+  std::string scene = "chair-ball";  // a built-in name or a mesh file
+  std::string mode = "custom";       // whose numbers the settings started from
+  RenderSettings settings;
+  int lights = 1;
+  std::string scheduler = "serial";
+  int threads = 1;
+  std::string item = "rows";
+  Chunk chunk;
+  std::string pin = "none";
+  int processes = 1;  // more than 1: so many co-running copies, for the ceiling
+
+  /// The canonical name: `factor=value,…` over every factor. Factors that the scheduler ignores are "-", so that cells
+  /// that differ only in them are one cell.
+  [[nodiscard]] std::string key() const;
+  /// The same over what decides the picture. Pictures of one key are equal bit for bit.
+  [[nodiscard]] std::string picture_key() const;
+  /// "4", "2/thread", or "-" where the scheduler has no use for a chunk.
+  [[nodiscard]] std::string chunk_text() const;
+};
+
+/// One thread and no chunk where the scheduler ignores them.
+void collapse_ignored_factors(Cell& cell);
+
+[[nodiscard]] nlohmann::json to_json(const Cell& cell);
+[[nodiscard]] Cell cell_from_json(const nlohmann::json& json);
+
+}  // namespace raysweep

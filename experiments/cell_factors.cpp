@@ -1,0 +1,156 @@
+#include "experiments/cell_factors.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "experiments/errors.h"
+#include "experiments/item.h"
+#include "experiments/numbers.h"
+#include "schedulers/registry.h"
+
+namespace raysweep {
+
+namespace {
+
+std::string set_int(const char* name, int& target, const std::string& value, Range range) {
+  const auto number = parse_number<long long>(value);
+  if (!number || !range.contains(*number)) {
+    return fmt::format("{} = {} is {}: a whole number from {} to {} is possible", name, value,
+                       number ? "out of range" : "not a whole number in range", range.low, range.high);
+  }
+  target = static_cast<int>(*number);
+  return {};
+}
+
+std::string set_choice(const char* name, std::string& target, const std::string& value, std::span<const Choice> choices) {
+  std::string names;
+  for (const Choice& choice : choices) {
+    if (choice.name == value) {
+      target = value;
+      return {};
+    }
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", choice.name);
+  }
+  return fmt::format("unknown {} \"{}\"; possible: {}", name, value, names);
+}
+
+std::string set_scheduler(Cell& cell, const std::string& value) {
+  const SchedulerInfo* const info = find_scheduler(value);
+  if (!info) {
+    std::string names;
+    for (const SchedulerInfo& known : all_schedulers()) {
+      if (why_unavailable(known.family).empty()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+    }
+    return fmt::format("unknown scheduler \"{}\"; built here: {}", value, names);
+  }
+  if (const std::string problem = why_unavailable(info->family); !problem.empty()) {
+    return fmt::format("scheduler \"{}\" cannot be used here: {}", value, problem);
+  }
+  cell.scheduler = value;
+  return {};
+}
+
+std::string set_item(Cell& cell, const std::string& value) {
+  if (!parse_item(value)) {
+    return fmt::format("unknown item \"{}\"; possible: rows, tiles, tiles:SIDE with a side from 1 to {}", value, max_tile_side);
+  }
+  cell.item = value;
+  return {};
+}
+
+std::string set_chunk(Cell& cell, const std::string& value) {
+  constexpr std::string_view suffix = "/thread";
+  Chunk chunk;
+  chunk.per_thread = value.ends_with(suffix);
+  const auto digits = std::string_view(value).substr(0, value.size() - (chunk.per_thread ? suffix.size() : 0));
+  const auto number = parse_number<int>(digits);
+  if (!number || *number < 1 || *number > max_chunk) {
+    return fmt::format("chunk = {} is not possible: a count from 1 to {}, or \"COUNT/thread\"", value, max_chunk);
+  }
+  chunk.value = *number;
+  cell.chunk = chunk;
+  return {};
+}
+
+std::string set_pin(Cell& cell, const std::string& value) {
+  if (value != "none") return fmt::format("unknown pin \"{}\"; built here: none", value);
+  cell.pin = value;
+  return {};
+}
+
+#define RAYSWEEP_INT(name, member, range, possible)                                                       \
+  CellFactor {                                                                                            \
+    name, possible, true, [](Cell& c, const std::string& v) { return set_int(name, c.member, v, range); }, \
+        [](const Cell& c) { return std::to_string(c.member); }                                            \
+  }
+#define RAYSWEEP_CHOICE(name, member, list)                                                                       \
+  CellFactor {                                                                                                    \
+    name, "see `raysweep list " #list "`", false,                                                                 \
+        [](Cell& c, const std::string& v) { return set_choice(name, c.member, v, list()); },                      \
+        [](const Cell& c) { return c.member; }                                                                    \
+  }
+
+constexpr Range threads_range{min_threads, max_threads};
+
+const std::array factors{
+    CellFactor{"scene", "a built-in name or a mesh file", false,
+               [](Cell& c, const std::string& v) {
+                 c.scene = v;
+                 return std::string();
+               },
+               [](const Cell& c) { return c.scene; }},
+    RAYSWEEP_INT("width", settings.width, width_range, "pixels"),
+    RAYSWEEP_INT("height", settings.height, height_range, "pixels"),
+    RAYSWEEP_INT("subpixels", settings.subpixels, subpixels_range, "samples a pixel"),
+    RAYSWEEP_CHOICE("pattern", settings.pattern, patterns),
+    RAYSWEEP_INT("depth", settings.depth, depth_range, "1 to 1024; primary hits are depth 1"),
+    RAYSWEEP_INT("lights", lights, lights_range, "0 to 64"),
+    RAYSWEEP_CHOICE("accel", settings.accel, accels),
+    RAYSWEEP_INT("leaf", settings.leaf, leaf_range, "primitives a leaf holds at most"),
+    RAYSWEEP_CHOICE("core", settings.core, cores),
+    RAYSWEEP_CHOICE("method", settings.method, methods),
+    RAYSWEEP_CHOICE("precision", settings.precision, precisions),
+    CellFactor{"scheduler", "see `raysweep list schedulers`", false, set_scheduler, [](const Cell& c) { return c.scheduler; }},
+    RAYSWEEP_INT("threads", threads, threads_range, "1 to 1024"),
+    CellFactor{"item", "rows, tiles or tiles:SIDE", false, set_item, [](const Cell& c) { return c.item; }},
+    CellFactor{"chunk", "items handed out at once: COUNT or COUNT/thread", true, set_chunk,
+               [](const Cell& c) { return c.chunk.text(); }},
+    CellFactor{"pin", "none", false, set_pin, [](const Cell& c) { return c.pin; }},
+};
+
+#undef RAYSWEEP_INT
+#undef RAYSWEEP_CHOICE
+
+}  // namespace
+
+std::span<const CellFactor> cell_factors() { return factors; }
+
+const CellFactor* find_factor(std::string_view name) {
+  for (const CellFactor& factor : factors) {
+    if (factor.name == name) return &factor;
+  }
+  return nullptr;
+}
+
+void set_factor(Cell& cell, const CellFactor& factor, const std::string& value) {
+  if (const std::string problem = factor.set(cell, value); !problem.empty()) throw RequestError(problem);
+}
+
+void set_mode(Cell& cell, const std::string& mode) {
+  std::string names;
+  for (const Mode& m : modes()) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", m.name);
+    if (m.name != mode) continue;
+    cell.mode = mode;
+    cell.settings.width = m.width;
+    cell.settings.height = m.height;
+    cell.settings.subpixels = m.subpixels;
+    cell.settings.depth = m.depth;
+    cell.lights = m.lights;
+    return;
+  }
+  throw RequestError(fmt::format("unknown mode \"{}\"; possible: {}", mode, names));
+}
+
+}  // namespace raysweep

@@ -1,0 +1,37 @@
+// A child process with its standard input and output at hand.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raysweep {
+
+/// Starts this very program anew, even if its file was replaced meanwhile. The child gets its own process group, so Ctrl-C reaches only us; it dies with us, whatever
+/// kills us; and the destructor kills and reaps it.
+class Child {
+ public:
+  /// Throws WorkError if there is no process to be had.
+  explicit Child(std::vector<std::string> arguments);
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The next line of its standard output, without the newline; none when the output ends, or when we are interrupted.
+  [[nodiscard]] std::optional<std::string> read_line();
+
+  /// Writes a line to its standard input.
+  void write_line(const std::string& line);
+
+  /// Waits for its end: a sentence about it, with what it wrote to standard error.
+  [[nodiscard]] std::string how_it_ended();
+
+ private:
+  pid_t pid_ = -1;
+  int input_ = -1, output_ = -1, errors_ = -1;
+  std::string buffer_;
+};
+
+}  // namespace raysweep

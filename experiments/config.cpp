@@ -1,0 +1,280 @@
+#include "experiments/config.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "experiments/cell_factors.h"
+#include "experiments/errors.h"
+#include "tracer/scene/scenes.h"
+
+namespace raysweep {
+
+namespace {
+
+/// Walks a TOML document, collecting a Config and every error on the way.
+class Parser {
+ public:
+  Parser(Config& config, const MachineSize& machine) : config_(config), machine_(machine) {}
+
+  void read(const toml::table& root) {
+    check_keys(root, "", {"experiment", "title", "kind", "scene", "sweep", "measure"});
+    config_.experiment = text_or(root, "experiment", "");
+    if (config_.experiment.empty() || config_.experiment.find('/') != std::string::npos) {
+      fail(root, "experiment must be a name, such as \"M11-T3\"; it names the folder of the run");
+    }
+    config_.title = text_or(root, "title", config_.experiment);
+    if (const std::string kind = text_or(root, "kind", "picture"); kind != "picture") {
+      fail(root["kind"], fmt::format("unknown kind \"{}\"; built here: picture", kind));
+    }
+    if (const auto* scene = section(root, "scene")) read_scene(*scene);
+    if (const auto* sweep = section(root, "sweep")) read_sweep(*sweep);
+    if (const auto* measure = section(root, "measure")) read_measure(*measure);
+  }
+
+  void fail(const toml::node& at, const std::string& sentence) {
+    const toml::source_region& source = at.source();
+    errors_ += fmt::format("{}:{}: {}\n", source.path ? *source.path : config_.file, source.begin.line, sentence);
+  }
+
+  [[nodiscard]] const std::string& errors() const { return errors_; }
+
+ private:
+  void fail(toml::node_view<const toml::node> at, const std::string& sentence) { fail(*at.node(), sentence); }
+
+  void check_keys(const toml::table& table, const std::string& where, const std::vector<std::string_view>& known) {
+    for (const auto& [key, value] : table) {
+      if (std::ranges::find(known, key.str()) != known.end()) continue;
+      fail(value, fmt::format("unknown key \"{}{}\"; possible: {}", where, key.str(), fmt::join(known, ", ")));
+    }
+  }
+
+  const toml::table* section(const toml::table& root, std::string_view name) {
+    const toml::node* const node = root.get(name);
+    if (!node) return nullptr;
+    if (!node->is_table()) fail(*node, fmt::format("\"{}\" must be a table: [{}]", name, name));
+    return node->as_table();
+  }
+
+  std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise) {
+    const toml::node* const node = table.get(key);
+    if (!node) return otherwise;
+    if (const auto text = node->value_exact<std::string>()) return *text;
+    fail(*node, fmt::format("{} must be a string in quotes", key));
+    return otherwise;
+  }
+
+  double number_or(const toml::table& table, std::string_view key, double otherwise, double low, double high) {
+    const toml::node* const node = table.get(key);
+    if (!node) return otherwise;
+    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+    if (number && *number >= low && *number <= high) return *number;
+    fail(*node, fmt::format("{} must be a number from {} to {}", key, low, high));
+    return otherwise;
+  }
+
+  int integer_or(const toml::table& table, std::string_view key, int otherwise, int low, int high) {
+    const toml::node* const node = table.get(key);
+    if (!node) return otherwise;
+    const auto number = node->value_exact<int64_t>();
+    if (number && *number >= low && *number <= high) return static_cast<int>(*number);
+    fail(*node, fmt::format("{} must be a whole number from {} to {}", key, low, high));
+    return otherwise;
+  }
+
+  void read_scene(const toml::table& scene) {
+    check_keys(scene, "scene.", {"name", "file", "modes"});
+    if (scene.contains("name") && scene.contains("file")) fail(scene, "a scene has a name or a file, not both");
+    config_.scene = text_or(scene, "name", config_.scene);
+    if (scene.contains("file")) {
+      config_.scene = (std::filesystem::path(config_.file).parent_path() / text_or(scene, "file", "")).string();
+    }
+    try {
+      (void)load_scene(config_.scene, 1);
+    } catch (const SceneError& error) {
+      fail(scene, error.what());
+    }
+    if (const toml::node* const modes = scene.get("modes")) {
+      for (const Value& value : values_of(*modes, "modes", false)) {
+        Cell scratch;
+        try {
+          set_mode(scratch, value.text);
+          config_.modes.push_back(value.text);
+        } catch (const RequestError& error) {
+          fail(*value.node, error.what());
+        }
+      }
+    }
+  }
+
+  void read_sweep(const toml::table& sweep) {
+    for (const auto& [key, node] : sweep) {
+      if (key == "zip") {
+        if (node.is_table()) {
+          read_zip(*node.as_table());
+        } else {
+          fail(node, "\"zip\" must be a table: [sweep.zip]");
+        }
+      } else {
+        Axis axis{{std::string(key.str())}, {}};
+        for (std::string& value : factor_values(key.str(), node)) axis.points.push_back({std::move(value)});
+        if (!axis.points.empty()) config_.axes.push_back(std::move(axis));
+      }
+    }
+  }
+
+  void read_zip(const toml::table& zip) {
+    Axis axis;
+    for (const auto& [key, node] : zip) {
+      const auto values = factor_values(key.str(), node);
+      if (axis.names.empty()) axis.points.resize(values.size());
+      if (values.size() != axis.points.size()) {
+        fail(node, fmt::format("lists in [sweep.zip] advance together: \"{}\" has {} values, \"{}\" has {}", key.str(),
+                               values.size(), axis.names.front(), axis.points.size()));
+        return;
+      }
+      axis.names.emplace_back(key.str());
+      for (size_t i = 0; i < values.size(); ++i) axis.points[i].push_back(values[i]);
+    }
+    if (!axis.names.empty()) config_.axes.push_back(std::move(axis));
+  }
+
+  struct Value {
+    std::string text;
+    const toml::node* node;
+  };
+
+  /// A value or a list of values as text; ranges of integer factors expanded.
+  std::vector<Value> values_of(const toml::node& node, std::string_view name, bool integer) {
+    std::vector<Value> values;
+    const auto add = [&](const toml::node& one) {
+      if (const auto number = one.value_exact<int64_t>(); number && integer) {
+        values.push_back({std::to_string(*number), &one});
+      } else if (const auto text = one.value_exact<std::string>()) {
+        const std::vector<int> range = integer ? expand_range(*text, machine_) : std::vector<int>();
+        for (const int v : range) values.push_back({std::to_string(v), &one});
+        if (range.empty()) values.push_back({*text, &one});
+      } else {
+        fail(one, integer ? fmt::format("{} must be whole numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"", name)
+                          : fmt::format("{} must be strings in quotes", name));
+      }
+    };
+    if (const toml::array* const list = node.as_array()) {
+      if (list->empty()) fail(node, fmt::format("{} is an empty list; name one value at least", name));
+      for (const toml::node& one : *list) add(one);
+    } else {
+      add(node);
+    }
+    return values;
+  }
+
+  /// The values that a sweep gives a factor, each checked.
+  std::vector<std::string> factor_values(std::string_view name, const toml::node& node) {
+    const CellFactor* const factor = find_factor(name);
+    if (!factor || name == "scene") {
+      std::vector<std::string_view> known;
+      for (const CellFactor& f : cell_factors()) {
+        if (f.name != "scene") known.push_back(f.name);
+      }
+      fail(node, fmt::format("unknown key \"sweep.{}\"; possible: {}, zip", name, fmt::join(known, ", ")));
+      return {};
+    }
+    std::vector<std::string> checked;
+    for (Value& value : values_of(node, name, factor->integer)) {
+      Cell scratch;
+      if (const std::string problem = factor->set(scratch, value.text); !problem.empty()) {
+        fail(*value.node, problem);
+      } else {
+        checked.push_back(std::move(value.text));
+      }
+    }
+    return checked;
+  }
+
+  void read_measure(const toml::table& measure) {
+    check_keys(measure, "measure.", {"launches", "budget", "interval", "seconds", "seed"});
+    Measure& m = config_.measure;
+    m.launches = integer_or(measure, "launches", m.launches, 1, 10000);
+    m.interval = number_or(measure, "interval", m.interval, 1e-4, 1);
+    m.seconds = number_or(measure, "seconds", m.seconds, 0, 3600);
+    m.seed = static_cast<uint64_t>(integer_or(measure, "seed", static_cast<int>(m.seed), 0, 1 << 30));
+    if (measure.contains("budget")) {
+      m.budget_seconds = parse_duration(text_or(measure, "budget", ""));
+      if (m.budget_seconds == 0) fail(*measure.get("budget"), "budget must be a duration such as \"90 s\", \"10 min\" or \"2 h\"");
+    }
+  }
+
+  Config& config_;
+  const MachineSize machine_;
+  std::string errors_;
+};
+
+toml::table parse_toml(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw RequestError(fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description()));
+  }
+}
+
+/// `key=value` as a document: the value as TOML if it is any, as a string otherwise. A bare factor is one of [sweep].
+toml::table parse_override(const std::string& assignment) {
+  const size_t equals = assignment.find('=');
+  std::string key = assignment.substr(0, equals);
+  if (equals == std::string::npos || key.empty()) {
+    throw RequestError(fmt::format("--set {}: must be KEY=VALUE, such as threads=1..4 or measure.launches=3", assignment));
+  }
+  if (find_factor(key)) key = "sweep." + key;
+  const std::string value = assignment.substr(equals + 1), where = "--set " + assignment;
+  try {
+    return toml::parse(key + " = " + value, where);
+  } catch (const toml::parse_error&) {
+    return parse_toml(fmt::format("{} = '{}'", key, value), where);
+  }
+}
+
+/// Moves, since copies of nodes forget where they came from.
+void merge(toml::table& into, toml::table&& from) {
+  for (auto&& [key, value] : from) {
+    toml::node* const old = into.get(key);
+    if (old && old->is_table() && value.is_table()) {
+      merge(*old->as_table(), std::move(*value.as_table()));
+    } else {
+      value.visit([&, name = key.str()](auto& node) { into.insert_or_assign(name, std::move(node)); });
+    }
+  }
+}
+
+}  // namespace
+
+Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
+                    const MachineSize& machine) {
+  Config config;
+  config.file = file;
+  config.text = text;
+  toml::table root = parse_toml(text, file);
+  for (const std::string& assignment : overrides) merge(root, parse_override(assignment));
+  if (!overrides.empty()) {
+    std::ostringstream merged;
+    merged << root << "\n";
+    config.text = merged.str();
+  }
+  Parser parser(config, machine);
+  parser.read(root);
+  if (!parser.errors().empty()) throw RequestError(parser.errors().substr(0, parser.errors().size() - 1));
+  return config;
+}
+
+Config load_config(const std::string& file, const std::vector<std::string>& overrides, const MachineSize& machine) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!std::filesystem::is_regular_file(file) || !in || !(text << in.rdbuf())) {
+    throw RequestError(fmt::format("{}: no such experiment: name a TOML file; `raysweep list experiments` shows those here", file));
+  }
+  return parse_config(text.str(), file, overrides, machine);
+}
+
+}  // namespace raysweep

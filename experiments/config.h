@@ -1,0 +1,56 @@
+// An experiment as its file states it. Parsing is a pure function of text and machine size; every error names file and
+// line, and all are told at once.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/cell.h"
+
+namespace raysweep {
+
+/// Factors that advance together (one, unless zipped), and their values, as text.
+struct Axis {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> points;  // each as long as `names`
+};
+
+struct Measure {
+  int launches = 7;
+  double budget_seconds = 600;  // of the whole experiment, shared by its cells
+  double interval = 0.02;       // relative half-width to reach
+  double seconds = 0.3;         // timed frames of one launch
+  uint64_t seed = 1;
+};
+
+struct Config {
+  std::string file, text;  // text as run: with what --set changed
+  std::string experiment, title;
+  std::string scene = "chair-ball";
+  std::vector<std::string> modes;  // empty: the default settings
+  std::vector<Axis> axes;
+  Measure measure;
+};
+
+/// What ranges such as "1..2*pus" refer to.
+struct MachineSize {
+  int cores, pus;
+};
+
+/// Parses `text`; `file` is for messages and for paths relative to it; `overrides` are `key=value` as of --set. Throws
+/// RequestError with one line per error.
+[[nodiscard]] Config parse_config(const std::string& text, const std::string& file,
+                                  const std::vector<std::string>& overrides, const MachineSize& machine);
+
+/// Reads the file and parses it.
+[[nodiscard]] Config load_config(const std::string& file, const std::vector<std::string>& overrides,
+                                 const MachineSize& machine);
+
+/// "1..4", "cores", "pus", "1..2*pus" or "8" as a list of numbers; empty if it is none of these or descends.
+[[nodiscard]] std::vector<int> expand_range(const std::string& text, const MachineSize& machine);
+
+/// "10 min", "90 s", "2 h" in seconds; 0 if it is none of these.
+[[nodiscard]] double parse_duration(const std::string& text);
+
+}  // namespace raysweep

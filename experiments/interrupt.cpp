@@ -1,0 +1,22 @@
+#include "experiments/interrupt.h"
+
+#include <csignal>
+#include <initializer_list>
+
+namespace raysweep {
+
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { caught = 1; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);  // no SA_RESTART: waits wake up
+}
+
+bool interrupted() { return caught != 0; }
+
+}  // namespace raysweep

@@ -1,0 +1,98 @@
+#include "experiments/launch.h"
+
+#include <algorithm>
+
+#include "experiments/clock.h"
+#include "experiments/render_job.h"
+#include "schedulers/registry.h"
+
+namespace raysweep {
+
+namespace {
+
+constexpr double warmup_seconds = 0.05;
+
+Record describe(const Cell& cell) {
+  const SchedulerInfo& info = *find_scheduler(cell.scheduler);
+  Record r;
+  r.cell = cell.key();
+  r.scene = cell.scene;
+  r.mode = cell.mode;
+  r.width = cell.settings.width;
+  r.height = cell.settings.height;
+  r.subpixels = cell.settings.subpixels;
+  r.pattern = cell.settings.pattern;
+  r.depth = cell.settings.depth;
+  r.lights = cell.lights;
+  r.accel = cell.settings.accel;
+  r.leaf = cell.settings.leaf;
+  r.core = cell.settings.core;
+  r.isa = "baseline";
+  r.method = cell.settings.method;
+  r.precision = cell.settings.precision;
+  r.scheduler = cell.scheduler;
+  r.runtime = runtime_of(info.family);
+  r.item = cell.item;
+  r.threads = cell.threads;
+  r.chunk = cell.chunk_text();
+  r.pin = cell.pin;
+  r.uses_threads = info.uses_threads;
+  r.uses_chunk = info.uses_chunk;
+  return r;
+}
+
+double timed_frame(RenderJob& job) {
+  const double begin = now_seconds();
+  job.frame();
+  return now_seconds() - begin;
+}
+
+uint64_t chunks_so_far(const RenderJob& job) {
+  uint64_t sum = 0;
+  for (const WorkerEntry& entry : job.log().entries()) sum += entry.chunks;
+  return sum;
+}
+
+void warm_up(RenderJob& job, int frames, Record& record) {
+  double total = 0;
+  while (static_cast<int>(record.warmup_seconds.size()) < frames || total < warmup_seconds) {
+    record.warmup_seconds.push_back(timed_frame(job));
+    total += record.warmup_seconds.back();
+  }
+}
+
+void fill_in(const RenderJob& job, Record& record) {
+  const uint64_t frames = std::max<uint64_t>(1, record.frame_seconds.front().size());
+  const RayCounts rays = job.rays();
+  record.rays = {rays.primary / frames, rays.shadow / frames, rays.reflected / frames, rays.refracted / frames};
+  record.build_seconds = job.build_seconds();
+  record.image_hash = job.film().hash();
+  record.threads_seen = job.log().workers_seen();
+  for (const WorkerEntry& entry : job.log().entries()) {
+    record.workers.push_back({entry.items, entry.chunks, entry.processor});
+  }
+}
+
+}  // namespace
+
+void run_launch(const Cell& cell, const LaunchOptions& options) {
+  RenderJob job(cell);
+  Record record = describe(cell);
+  std::vector<double>& frames = record.frame_seconds.emplace_back();
+  if (options.timed) warm_up(job, find_scheduler(cell.scheduler)->warmup_runs, record);
+  job.reset_counts();
+  if (options.before_timing) options.before_timing();
+  double total = 0;
+  uint64_t chunks = 0;
+  do {
+    frames.push_back(timed_frame(job));
+    total += frames.back();
+    record.chunks_made.push_back(chunks_so_far(job) - chunks);
+    chunks += record.chunks_made.back();
+  } while (options.timed && total < options.seconds);
+  fill_in(job, record);
+  options.report(record);
+  while (options.keep_busy && options.keep_busy()) job.frame();
+}
+
+}  // namespace raysweep

@@ -1,0 +1,28 @@
+// How far a run is, on standard error: a bar on a terminal, now and then a line elsewhere.
+#pragma once
+
+#include <string>
+
+namespace raysweep {
+
+class Progress {
+ public:
+  /// Seconds are those of the run's clock.
+  Progress(int total, double start_seconds, double budget_seconds, bool quiet);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `done` launches are finished; `label` names the one that starts.
+  void show(int done, double now, const std::string& label);
+
+ private:
+  int total_;
+  double start_, budget_, last_ = 0;
+  bool quiet_, terminal_;
+};
+
+/// Seconds left, from the pace so far, never more than the budget leaves. Negative: not known yet.
+[[nodiscard]] double seconds_left(int done, int total, double elapsed, double budget);
+
+}  // namespace raysweep

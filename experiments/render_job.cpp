@@ -1,0 +1,58 @@
+#include "experiments/render_job.h"
+
+#include "experiments/clock.h"
+#include "experiments/item.h"
+#include "schedulers/registry.h"
+#include "tracer/scene/scenes.h"
+
+namespace raysweep {
+
+namespace {
+
+std::vector<Tile> cut(const ItemShape& shape, int width, int height) {
+  const bool rows = shape.kind == ItemShape::Kind::rows;
+  const int tile_width = rows ? width : shape.side, tile_height = rows ? 1 : shape.side;
+  std::vector<Tile> tiles;
+  for (int y = 0; y < height; y += tile_height) {
+    for (int x = 0; x < width; x += tile_width) {
+      tiles.push_back({x, y, std::min(tile_width, width - x), std::min(tile_height, height - y)});
+    }
+  }
+  return tiles;
+}
+
+}  // namespace
+
+RenderJob::RenderJob(const Cell& cell)
+    : threads_(cell.threads),
+      chunk_(cell.chunk),
+      film_(cell.settings.width, cell.settings.height),
+      tiles_(cut(parse_item(cell.item).value(), cell.settings.width, cell.settings.height)),
+      log_(cell.threads),
+      rays_(static_cast<size_t>(cell.threads)) {
+  const Scene scene = load_scene(cell.scene, cell.lights);
+  const double begin = now_seconds();
+  renderer_ = make_renderer(scene, cell.settings);
+  build_seconds_ = now_seconds() - begin;
+  scheduler_ = make_scheduler(cell.scheduler, cell.threads);
+  body_ = [this](size_t first, size_t last, int worker) {
+    RayCounts rays;
+    for (size_t i = first; i < last; ++i) rays += renderer_->render(tiles_[i], film_);
+    rays_[static_cast<size_t>(worker)].rays += rays;
+  };
+}
+
+void RenderJob::frame() { scheduler_->run({tiles_.size()}, chunk_, body_, log_); }
+
+void RenderJob::reset_counts() {
+  log_ = WorkerLog(threads_);
+  for (WorkerRays& entry : rays_) entry = {};
+}
+
+RayCounts RenderJob::rays() const {
+  RayCounts sum;
+  for (const WorkerRays& entry : rays_) sum += entry.rays;
+  return sum;
+}
+
+}  // namespace raysweep

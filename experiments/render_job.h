@@ -1,0 +1,48 @@
+// A cell made ready to run: the only place that sees a tile and a scheduler.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "experiments/cell.h"
+#include "schedulers/scheduler.h"
+#include "tracer/render.h"
+
+namespace raysweep {
+
+class RenderJob {
+ public:
+  /// Loads the scene, builds hierarchy and scheduler. Throws SceneError or SchedulerError.
+  explicit RenderJob(const Cell& cell);
+
+  /// Renders one whole picture.
+  void frame();
+
+  /// Forgets rays and worker entries of the frames so far.
+  void reset_counts();
+
+  [[nodiscard]] const Film& film() const { return film_; }
+  [[nodiscard]] const WorkerLog& log() const { return log_; }
+  /// Rays of all frames since the last reset.
+  [[nodiscard]] RayCounts rays() const;
+  [[nodiscard]] double build_seconds() const { return build_seconds_; }
+
+ private:
+  /// A cache line of its own for each worker.
+  struct alignas(128) WorkerRays {
+    RayCounts rays;
+  };
+
+  int threads_;
+  Chunk chunk_;
+  Film film_;
+  std::vector<Tile> tiles_;
+  std::unique_ptr<const Renderer> renderer_;
+  std::unique_ptr<Scheduler> scheduler_;
+  WorkerLog log_;
+  std::vector<WorkerRays> rays_;
+  Body body_;
+  double build_seconds_ = 0;
+};
+
+}  // namespace raysweep

@@ -1,0 +1,123 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "experiments/verbs.h"
+#include "schedulers/registry.h"
+#include "tracer/scene/scenes.h"
+#include "tracer/settings.h"
+
+namespace raysweep {
+
+namespace {
+
+nlohmann::json entry(std::string_view name, std::string_view summary, const std::string& reason = {}) {
+  return {{"name", name}, {"summary", summary}, {"available", reason.empty()}, {"reason", reason}};
+}
+
+nlohmann::json list_schedulers() {
+  nlohmann::json list;
+  for (const SchedulerInfo& s : all_schedulers()) list.push_back(entry(s.name, s.summary, why_unavailable(s.family)));
+  return list;
+}
+
+nlohmann::json list_runtimes() {
+  nlohmann::json list;
+  for (const std::string_view family : module_families()) list.push_back(entry(family, runtime_of(family), why_unavailable(family)));
+  return list;
+}
+
+nlohmann::json list_scenes() {
+  nlohmann::json list;
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    const Scene scene = built_in.make(1);
+    list.push_back(entry(built_in.name, built_in.summary));
+    list.back()["triangles"] = scene.triangle_count();
+    list.back()["spheres"] = scene.spheres.size();
+    list.back()["planes"] = scene.planes.size();
+    list.back()["lights"] = scene.lights.size();
+  }
+  list.push_back(entry("FILE", "a mesh: OBJ, PLY, STL, glTF and what else Assimp reads", why_no_mesh_files()));
+  return list;
+}
+
+nlohmann::json list_choices(std::span<const Choice> choices) {
+  nlohmann::json list;
+  for (const Choice& choice : choices) list.push_back(entry(choice.name, choice.summary));
+  return list;
+}
+
+nlohmann::json list_modes() {
+  nlohmann::json list;
+  for (const Mode& m : modes()) {
+    list.push_back(entry(m.name, fmt::format("{} x {}, {} subpixels, depth {}, {} lights", m.width, m.height, m.subpixels, m.depth, m.lights)));
+  }
+  return list;
+}
+
+/// The configs of this checkout, with the question in their first line.
+nlohmann::json list_experiments() {
+  nlohmann::json list = nlohmann::json::array();
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : std::filesystem::directory_iterator(RAYSWEEP_CONFIG_DIR, error)) {
+    if (file.path().extension() == ".toml") files.push_back(file.path());
+  }
+  std::ranges::sort(files);
+  for (const auto& file : files) {
+    std::ifstream in(file);
+    std::string question;
+    std::getline(in, question);
+    list.push_back(entry(std::filesystem::proximate(file, error).string(), question.substr(std::min<size_t>(2, question.size()))));
+  }
+  return list;
+}
+
+nlohmann::json list_of(const std::string& what) {
+  if (what == "schedulers") return list_schedulers();
+  if (what == "runtimes") return list_runtimes();
+  if (what == "scenes") return list_scenes();
+  if (what == "modes") return list_modes();
+  if (what == "methods") return list_choices(methods());
+  if (what == "patterns") return list_choices(patterns());
+  if (what == "cores") return list_choices(cores());
+  if (what == "accels") return list_choices(accels());
+  if (what == "precisions") return list_choices(precisions());
+  if (what == "pins") return nlohmann::json::array({entry("none", "the operating system places threads as it likes")});
+  if (what == "isas") return nlohmann::json::array({entry("baseline", "what every processor of the architecture runs")});
+  return list_experiments();
+}
+
+int run(const std::string& what, bool json) {
+  const nlohmann::json list = list_of(what);
+  if (json) {
+    fmt::print("{}\n", list.dump(1));
+    return 0;
+  }
+  size_t width = 0;
+  for (const auto& e : list) width = std::max(width, e["name"].get_ref<const std::string&>().size());
+  for (const auto& e : list) {
+    const bool available = e["available"].get<bool>();
+    std::string counts;
+    if (e.contains("triangles")) counts = fmt::format(" ({} triangles, {} spheres)", e["triangles"].get<size_t>(), e["spheres"].get<size_t>());
+    fmt::print("{:<{}}  {}{}{}\n", e["name"].get<std::string>(), width, e["summary"].get<std::string>(), counts,
+               available ? "" : fmt::format("  [not available: {}]", e["reason"].get<std::string>()));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_list(CommandLine& line) {
+  CLI::App* const verb = add_verb(line, "list", "what is built in, one line each, with what is missing here and why");
+  static std::string what;
+  verb->add_option("what", what, "what to list")
+      ->required()
+      ->check(CLI::IsMember({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores", "accels",
+                             "precisions", "pins", "isas", "experiments"}));
+  verb->callback([&line] { line.action = [&line] { return run(what, line.json); }; });
+}
+
+}  // namespace raysweep

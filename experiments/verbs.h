@@ -1,0 +1,26 @@
+// The verbs of the command line. Each adds itself to the parser and, when chosen, sets `action`, which returns the exit
+// code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace raysweep {
+
+struct CommandLine {
+  CLI::App app{"raysweep: how fast does this picture get when more threads share it?", "raysweep"};
+  bool json = false;             // one JSON document on standard output and nothing else there
+  std::function<int()> action;
+};
+
+void add_run(CommandLine& line);
+void add_render(CommandLine& line);
+void add_list(CommandLine& line);
+void add_topology(CommandLine& line);
+void add_launch(CommandLine& line);
+void add_report(CommandLine& line);
+
+/// A verb with the options that all verbs have.
+CLI::App* add_verb(CommandLine& line, const std::string& name, const std::string& summary);
+
+}  // namespace raysweep

@@ -1,0 +1,89 @@
+#include "results/record.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
+
+namespace raysweep {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRecord, items, chunks, cpu)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RayRecord, primary, shadow, reflected, refracted)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MachineRecord, host, cpu, pus, cores, load)
+
+namespace {
+
+/// `frame_seconds` is a plain list for one process and a list of lists for several.
+nlohmann::json frames_to_json(const Record& record) {
+  if (record.processes == 1 && record.frame_seconds.size() == 1) return record.frame_seconds.front();
+  return record.frame_seconds;
+}
+
+std::vector<std::vector<double>> frames_from_json(const nlohmann::json& json) {
+  if (!json.empty() && json.front().is_number()) return {json.get<std::vector<double>>()};
+  return json.get<std::vector<std::vector<double>>>();
+}
+
+/// Every field but frame_seconds, named once for both directions.
+template <class Each>
+void for_each_field(Each&& each) {
+#define RAYSWEEP_FIELD(name) each(#name, &Record::name)
+  RAYSWEEP_FIELD(schema), RAYSWEEP_FIELD(kind), RAYSWEEP_FIELD(experiment), RAYSWEEP_FIELD(cell);
+  RAYSWEEP_FIELD(launch), RAYSWEEP_FIELD(round), RAYSWEEP_FIELD(seed), RAYSWEEP_FIELD(valid), RAYSWEEP_FIELD(reason);
+  RAYSWEEP_FIELD(machine), RAYSWEEP_FIELD(scene), RAYSWEEP_FIELD(mode), RAYSWEEP_FIELD(width), RAYSWEEP_FIELD(height);
+  RAYSWEEP_FIELD(subpixels), RAYSWEEP_FIELD(pattern), RAYSWEEP_FIELD(depth), RAYSWEEP_FIELD(lights);
+  RAYSWEEP_FIELD(accel), RAYSWEEP_FIELD(leaf), RAYSWEEP_FIELD(core), RAYSWEEP_FIELD(isa), RAYSWEEP_FIELD(method);
+  RAYSWEEP_FIELD(precision), RAYSWEEP_FIELD(scheduler), RAYSWEEP_FIELD(runtime), RAYSWEEP_FIELD(item);
+  RAYSWEEP_FIELD(threads), RAYSWEEP_FIELD(threads_seen), RAYSWEEP_FIELD(chunk), RAYSWEEP_FIELD(chunks_made);
+  RAYSWEEP_FIELD(pin), RAYSWEEP_FIELD(processes), RAYSWEEP_FIELD(uses_threads), RAYSWEEP_FIELD(uses_chunk);
+  RAYSWEEP_FIELD(asked), RAYSWEEP_FIELD(warmup_seconds), RAYSWEEP_FIELD(build_seconds), RAYSWEEP_FIELD(rays);
+  RAYSWEEP_FIELD(image_hash), RAYSWEEP_FIELD(workers);
+#undef RAYSWEEP_FIELD
+}
+
+}  // namespace
+
+double Record::fps() const {
+  double sum = 0;
+  for (const auto& frames : frame_seconds) {
+    sum += static_cast<double>(frames.size()) / std::accumulate(frames.begin(), frames.end(), 0.0);
+  }
+  return sum;
+}
+
+nlohmann::json to_json(const Record& record) {
+  nlohmann::json json;
+  for_each_field([&](const char* name, auto field) { json[name] = record.*field; });
+  json["frame_seconds"] = frames_to_json(record);
+  return json;
+}
+
+Record record_from_json(const nlohmann::json& json) {
+  if (const int schema = json.at("schema").get<int>(); schema != record_schema) {
+    throw RecordError(fmt::format("schema {} is unknown here; this version reads schema {}", schema, record_schema));
+  }
+  Record record;
+  for_each_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
+  record.frame_seconds = frames_from_json(json.at("frame_seconds"));
+  return record;
+}
+
+std::vector<Record> read_records(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw RecordError(fmt::format("{}: cannot be opened", file.string()));
+  std::vector<Record> records;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (in.eof()) break;  // no newline: the writer was stopped inside this line
+    try {
+      records.push_back(record_from_json(nlohmann::json::parse(line)));
+    } catch (const std::exception& error) {
+      throw RecordError(fmt::format("{}:{}: not a record: {}", file.string(), number, error.what()));
+    }
+  }
+  return records;
+}
+
+}  // namespace raysweep

@@ -1,0 +1,76 @@
+// One launch, as it is written down: one line of records.jsonl. The schema is versioned; a reader refuses what it does
+// not know.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace raysweep {
+
+inline constexpr int record_schema = 1;
+
+/// What one worker did during the timed frames.
+struct WorkerRecord {
+  uint64_t items = 0, chunks = 0;
+  int cpu = -1;  // where its first chunk ran
+};
+
+/// Rays of one frame, by kind.
+struct RayRecord {
+  uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0;
+};
+
+/// The machine as far as tables need it; machine.json holds the rest.
+struct MachineRecord {
+  std::string host, cpu;
+  int pus = 0;    // processors that the run was allowed to use
+  int cores = 0;  // physical cores among them
+  double load = 0;  // one-minute load average when the launch began
+};
+
+/// A launch of a picture. Strings are the names of configs and command line; times are seconds.
+struct Record {
+  int schema = record_schema;
+  std::string kind = "picture", experiment, cell;
+  int launch = 0, round = 0;  // number of the launch in its run; round of its cell
+  uint64_t seed = 0;
+  bool valid = true;
+  std::string reason;  // why it is not
+  MachineRecord machine;
+
+  std::string scene, mode, pattern, accel, core, isa, method, precision, scheduler, runtime, item, chunk, pin;
+  int width = 0, height = 0, subpixels = 0, depth = 0, lights = 0, leaf = 0;
+  int threads = 0, threads_seen = 0;
+  int processes = 1;  // more than 1: co-running copies of one launch
+  bool uses_threads = true, uses_chunk = true;  // what the scheduler makes of them
+  bool asked = true;  // false: a base that the run added to its sweep
+
+  std::vector<std::vector<double>> frame_seconds;  // by process
+  std::vector<double> warmup_seconds;
+  std::vector<uint64_t> chunks_made;  // of each timed frame
+  double build_seconds = 0;
+  RayRecord rays;
+  std::string image_hash;
+  std::vector<WorkerRecord> workers;
+
+  /// Frames a second: frames / total time, summed over processes.
+  [[nodiscard]] double fps() const;
+};
+
+/// Thrown for records that cannot be read: file, line, reason.
+struct RecordError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+[[nodiscard]] nlohmann::json to_json(const Record& record);
+[[nodiscard]] Record record_from_json(const nlohmann::json& json);
+
+/// All whole records of a file, in order; a last line without its end (a writer that was killed) is left out. Throws
+/// RecordError for a line that is no record, or one of another schema.
+[[nodiscard]] std::vector<Record> read_records(const std::filesystem::path& file);
+
+}  // namespace raysweep

@@ -1,0 +1,27 @@
+#include "results/run_data.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace raysweep {
+
+RunData read_run(const std::filesystem::path& folder) {
+  const std::filesystem::path plan_file = folder / "plan.json";
+  std::ifstream in(plan_file, std::ios::binary);
+  if (!in) throw RecordError(fmt::format("{}: no run is here: {} cannot be opened", folder.string(), plan_file.string()));
+  try {
+    const auto plan = nlohmann::json::parse(in);
+    std::vector<std::string> order;
+    for (const auto& cell : plan.at("cells")) order.push_back(cell.at("key").get<std::string>());
+    RunData run;
+    run.context = {plan.at("experiment").get<std::string>(), plan.at("title").get<std::string>()};
+    run.rows = summarise(read_records(folder / "records.jsonl"), order, plan.at("interval").get<double>());
+    return run;
+  } catch (const nlohmann::json::exception& error) {
+    throw RecordError(fmt::format("{}: not a plan: {}", plan_file.string(), error.what()));
+  }
+}
+
+}  // namespace raysweep

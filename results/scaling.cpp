@@ -1,0 +1,105 @@
+#include "results/scaling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace raysweep {
+
+namespace {
+
+/// Valid launches of one cell, by round.
+using Rounds = std::map<int, double>;
+
+/// Everything but scheduler, threads and chunk: cells that share it can be each other's base.
+std::string base_key(const Record& r, std::string_view scheduler, int threads, std::string_view chunk, int processes) {
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", r.scene, r.mode, r.width, r.height,
+                     r.subpixels, r.pattern, r.depth, r.lights, r.accel, r.leaf, r.core, r.method, r.precision, r.item,
+                     r.pin, scheduler, threads, chunk, processes);
+}
+
+std::string own_key(const Record& r) { return base_key(r, r.scheduler, r.threads, r.chunk, r.processes); }
+
+std::optional<Estimate> ratio(const Rounds& of, const std::map<std::string, Rounds>& all, const std::string& base) {
+  const auto found = all.find(base);
+  if (found == all.end()) return std::nullopt;
+  std::vector<double> ratios;
+  for (const auto& [round, fps] : of) {
+    if (const auto other = found->second.find(round); other != found->second.end()) ratios.push_back(fps / other->second);
+  }
+  if (ratios.empty()) return std::nullopt;
+  return estimate_median(std::move(ratios));
+}
+
+void add_notes(CellRow& row, double interval_target) {
+  const Record& r = row.cell;
+  if (row.oversubscribed) row.notes.push_back("oversubscribed");
+  if (row.void_launches > 0) {
+    row.notes.push_back(fmt::format("{} of {} launches void: {}", row.void_launches, row.launches, r.reason));
+  }
+  if (r.threads_seen != r.threads && row.fps) {
+    row.notes.push_back(fmt::format("{} of {} threads ran", r.threads_seen, r.threads));
+  }
+  if (!row.fps) return;
+  if (const auto width = row.fps->relative_half_width(); !width) {
+    row.notes.push_back("no interval: fewer than 6 launches");
+  } else if (*width > interval_target) {
+    row.notes.push_back(fmt::format("not converged: ±{:.1f} %", *width * 100));
+  }
+}
+
+CellRow make_row(const std::vector<const Record*>& launches, const std::map<std::string, Rounds>& all) {
+  CellRow row;
+  row.launches = static_cast<int>(launches.size());
+  const auto valid = std::ranges::find_if(launches, [](const Record* r) { return r->valid; });
+  const auto voided = std::ranges::find_if(launches, [](const Record* r) { return !r->valid; });
+  row.cell = valid != launches.end() ? **valid : *launches.front();
+  row.void_launches = static_cast<int>(std::ranges::count_if(launches, [](const Record* r) { return !r->valid; }));
+  if (voided != launches.end()) row.cell.reason = (*voided)->reason;
+  for (const Record* r : launches) row.cell.threads_seen = std::min(row.cell.threads_seen, r->threads_seen);
+  const Record& r = row.cell;
+  row.oversubscribed = r.threads > r.machine.pus;
+  const auto own = all.find(own_key(r));
+  if (own == all.end()) return row;
+
+  const Rounds& rounds = own->second;
+  std::vector<double> fps;
+  for (const auto& [round, value] : rounds) fps.push_back(value);
+  row.fps = estimate_median(std::move(fps));
+  const std::string serial = base_key(r, "serial", 1, "-", 1);
+  row.speedup = ratio(rounds, all, serial);
+  row.speedup_one = ratio(rounds, all, base_key(r, r.scheduler, 1, r.chunk, 1));
+  if (row.speedup) {
+    row.efficiency = row.speedup->value / r.threads;
+    row.core_efficiency = row.speedup->value / std::min(r.threads, r.machine.cores);
+  }
+  // One process is its own ceiling: the ratio is then the speedup itself.
+  const int processes = std::min(r.threads, r.machine.pus);
+  const std::string corun = base_key(r, "serial", 1, "-", processes);
+  if (const auto reached = all.find(corun); reached != all.end()) row.ceiling = ratio(reached->second, all, serial);
+  row.of_ceiling = ratio(rounds, all, corun);
+  return row;
+}
+
+}  // namespace
+
+std::vector<CellRow> summarise(const std::vector<Record>& records, const std::vector<std::string>& cell_order,
+                               double interval_target) {
+  std::map<std::string, Rounds> all;
+  std::map<std::string, std::vector<const Record*>> by_cell;
+  for (const Record& r : records) {
+    by_cell[r.cell].push_back(&r);
+    if (r.valid) all[own_key(r)][r.round] = r.fps();
+  }
+  std::vector<CellRow> rows;
+  for (const std::string& cell : cell_order) {
+    const auto found = by_cell.find(cell);
+    if (found == by_cell.end() || found->second.front()->processes > 1) continue;
+    rows.push_back(make_row(found->second, all));
+    add_notes(rows.back(), interval_target);
+  }
+  return rows;
+}
+
+}  // namespace raysweep

@@ -1,0 +1,44 @@
+#include "results/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raysweep {
+
+std::optional<double> Estimate::relative_half_width() const {
+  if (!interval || value == 0) return std::nullopt;
+  return (interval->high - interval->low) / 2 / std::abs(value);
+}
+
+double median(std::vector<double> samples) {
+  std::ranges::sort(samples);
+  const size_t half = samples.size() / 2;
+  return samples.size() % 2 == 1 ? samples[half] : (samples[half - 1] + samples[half]) / 2;
+}
+
+std::optional<int> median_interval_rank(int n) {
+  double probability = std::pow(0.5, n);  // P(B = k), from k = 0 on
+  double below = 0;                       // P(B ≤ k)
+  std::optional<int> rank;
+  for (int k = 0; 2 * k < n; ++k) {
+    below += probability;
+    if (1 - 2 * below < 0.95) break;
+    rank = k;
+    probability *= static_cast<double>(n - k) / (k + 1);
+  }
+  return rank;
+}
+
+Estimate estimate_median(std::vector<double> samples) {
+  Estimate estimate;
+  estimate.value = median(samples);
+  estimate.count = static_cast<int>(samples.size());
+  if (const auto rank = median_interval_rank(estimate.count)) {
+    std::ranges::sort(samples);
+    const auto k = static_cast<size_t>(*rank);
+    estimate.interval = {samples[k], samples[samples.size() - 1 - k]};
+  }
+  return estimate;
+}
+
+}  // namespace raysweep

@@ -1,0 +1,33 @@
+// Medians and their intervals: pure functions of samples.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace raysweep {
+
+/// A value with a confidence interval around it, where one can be had.
+struct Estimate {
+  double value = 0;
+  struct Bounds {
+    double low, high;
+  };
+  std::optional<Bounds> interval;  // 95 %
+  int count = 0;                   // samples
+
+  /// Half the interval's width relative to the value; none without an interval.
+  [[nodiscard]] std::optional<double> relative_half_width() const;
+};
+
+/// The middle of `samples` (mean of the middle two for an even count). Not for an empty list.
+[[nodiscard]] double median(std::vector<double> samples);
+
+/// How many order statistics to leave out on each side: the largest k for which [x(k+1), x(n−k)] covers the median with
+/// at least 95 %, whatever the distribution: coverage is 1 − 2·P(B ≤ k), B binomial(n, ½). None for n < 6, where even the
+/// whole range covers it less often (David & Nagaraja 2003, "Order Statistics", 7.1).
+[[nodiscard]] std::optional<int> median_interval_rank(int n);
+
+/// The median of `samples` with its 95 % order-statistic interval. Not for an empty list.
+[[nodiscard]] Estimate estimate_median(std::vector<double> samples);
+
+}  // namespace raysweep
