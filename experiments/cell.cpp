@@ -16,8 +16,10 @@ std::string Cell::chunk_text() const {
 
 std::string Cell::picture_key() const {
   const RenderSettings& s = settings;
-  return fmt::format("scene={},mode={},width={},height={},subpixels={},pattern={},depth={},lights={},core={},method={},precision={}",
-                     scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights, s.core, s.method, s.precision);
+  return fmt::format(
+      "scene={},mode={},width={},height={},subpixels={},pattern={},depth={},lights={},core={},method={},"
+      "precision={}",
+      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights, s.core, s.method, s.precision);
 }
 
 std::string Cell::key() const {

@@ -21,8 +21,8 @@ struct Cell {
   std::string pin = "none";
   int processes = 1;  // more than 1: so many co-running copies, for the ceiling
 
-  /// The canonical name: `factor=value,…` over every factor. Factors that the scheduler ignores are "-", so that cells
-  /// that differ only in them are one cell.
+  /// The canonical name: `factor=value,…` over every factor. Factors that the scheduler ignores are "-", so
+  /// that cells that differ only in them are one cell.
   [[nodiscard]] std::string key() const;
   /// The same over what decides the picture. Pictures of one key are equal bit for bit.
   [[nodiscard]] std::string picture_key() const;

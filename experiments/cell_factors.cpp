@@ -23,7 +23,8 @@ std::string set_int(const char* name, int& target, const std::string& value, Ran
   return {};
 }
 
-std::string set_choice(const char* name, std::string& target, const std::string& value, std::span<const Choice> choices) {
+std::string set_choice(const char* name, std::string& target, const std::string& value,
+                       std::span<const Choice> choices) {
   std::string names;
   for (const Choice& choice : choices) {
     if (choice.name == value) {
@@ -40,7 +41,8 @@ std::string set_scheduler(Cell& cell, const std::string& value) {
   if (!info) {
     std::string names;
     for (const SchedulerInfo& known : all_schedulers()) {
-      if (why_unavailable(known.family).empty()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+      if (why_unavailable(known.family).empty())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
     }
     return fmt::format("unknown scheduler \"{}\"; built here: {}", value, names);
   }
@@ -53,7 +55,8 @@ std::string set_scheduler(Cell& cell, const std::string& value) {
 
 std::string set_item(Cell& cell, const std::string& value) {
   if (!parse_item(value)) {
-    return fmt::format("unknown item \"{}\"; possible: rows, tiles, tiles:SIDE with a side from 1 to {}", value, max_tile_side);
+    return fmt::format("unknown item \"{}\"; possible: rows, tiles, tiles:SIDE with a side from 1 to {}",
+                       value, max_tile_side);
   }
   cell.item = value;
   return {};
@@ -63,10 +66,12 @@ std::string set_chunk(Cell& cell, const std::string& value) {
   constexpr std::string_view suffix = "/thread";
   Chunk chunk;
   chunk.per_thread = value.ends_with(suffix);
-  const auto digits = std::string_view(value).substr(0, value.size() - (chunk.per_thread ? suffix.size() : 0));
+  const auto digits =
+      std::string_view(value).substr(0, value.size() - (chunk.per_thread ? suffix.size() : 0));
   const auto number = parse_number<int>(digits);
   if (!number || *number < 1 || *number > max_chunk) {
-    return fmt::format("chunk = {} is not possible: a count from 1 to {}, or \"COUNT/thread\"", value, max_chunk);
+    return fmt::format("chunk = {} is not possible: a count from 1 to {}, or \"COUNT/thread\"", value,
+                       max_chunk);
   }
   chunk.value = *number;
   cell.chunk = chunk;
@@ -79,16 +84,16 @@ std::string set_pin(Cell& cell, const std::string& value) {
   return {};
 }
 
-#define RAYSWEEP_INT(name, member, range, possible)                                                       \
-  CellFactor {                                                                                            \
+#define RAYSWEEP_INT(name, member, range, possible)                                                        \
+  CellFactor {                                                                                             \
     name, possible, true, [](Cell& c, const std::string& v) { return set_int(name, c.member, v, range); }, \
-        [](const Cell& c) { return std::to_string(c.member); }                                            \
+        [](const Cell& c) { return std::to_string(c.member); }                                             \
   }
-#define RAYSWEEP_CHOICE(name, member, list)                                                                       \
-  CellFactor {                                                                                                    \
-    name, "see `raysweep list " #list "`", false,                                                                 \
-        [](Cell& c, const std::string& v) { return set_choice(name, c.member, v, list()); },                      \
-        [](const Cell& c) { return c.member; }                                                                    \
+#define RAYSWEEP_CHOICE(name, member, list)                                                  \
+  CellFactor {                                                                               \
+    name, "see `raysweep list " #list "`", false,                                            \
+        [](Cell& c, const std::string& v) { return set_choice(name, c.member, v, list()); }, \
+        [](const Cell& c) { return c.member; }                                               \
   }
 
 constexpr Range threads_range{min_threads, max_threads};
@@ -111,7 +116,8 @@ const std::array factors{
     RAYSWEEP_CHOICE("core", settings.core, cores),
     RAYSWEEP_CHOICE("method", settings.method, methods),
     RAYSWEEP_CHOICE("precision", settings.precision, precisions),
-    CellFactor{"scheduler", "see `raysweep list schedulers`", false, set_scheduler, [](const Cell& c) { return c.scheduler; }},
+    CellFactor{"scheduler", "see `raysweep list schedulers`", false, set_scheduler,
+               [](const Cell& c) { return c.scheduler; }},
     RAYSWEEP_INT("threads", threads, threads_range, "1 to 1024"),
     CellFactor{"item", "rows, tiles or tiles:SIDE", false, set_item, [](const Cell& c) { return c.item; }},
     CellFactor{"chunk", "items handed out at once: COUNT or COUNT/thread", true, set_chunk,

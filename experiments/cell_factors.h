@@ -1,5 +1,5 @@
-// The one list of factors: how each is named, read from text, checked, and written. Configs sweep them, `render` takes
-// them as options, launches get them from their parent.
+// The one list of factors: how each is named, read from text, checked, and written. Configs sweep them,
+// `render` takes them as options, launches get them from their parent.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@ namespace raysweep {
 
 struct CellFactor {
   std::string_view name;
-  std::string_view possible;  // values, for help texts
-  bool integer;               // configs may give numbers and ranges
+  std::string_view possible;                            // values, for help texts
+  bool integer;                                         // configs may give numbers and ranges
   std::string (*set)(Cell&, const std::string& value);  // what is wrong with the value; empty if nothing is
   std::string (*text)(const Cell&);
 };

@@ -100,7 +100,8 @@ std::string Child::how_it_ended() {
   const ssize_t count = pread(errors_, text.data(), text.size(), 0);
   std::string said(text.data(), static_cast<size_t>(std::max<ssize_t>(count, 0)));
   while (!said.empty() && said.back() == '\n') said.pop_back();
-  if (WIFSIGNALED(status)) return fmt::format("killed by signal {} ({}) {}", WTERMSIG(status), strsignal(WTERMSIG(status)), said);
+  if (WIFSIGNALED(status))
+    return fmt::format("killed by signal {} ({}) {}", WTERMSIG(status), strsignal(WTERMSIG(status)), said);
   if (WEXITSTATUS(status) != 0) return fmt::format("exit code {}: {}", WEXITSTATUS(status), said);
   return said.empty() ? "it ended without a record" : said;
 }

@@ -9,8 +9,9 @@
 
 namespace raysweep {
 
-/// Starts this very program anew, even if its file was replaced meanwhile. The child gets its own process group, so Ctrl-C reaches only us; it dies with us, whatever
-/// kills us; and the destructor kills and reaps it.
+/// Starts this very program anew, even if its file was replaced meanwhile. The child gets its own process
+/// group, so Ctrl-C reaches only us; it dies with us, whatever kills us; and the destructor kills and reaps
+/// it.
 class Child {
  public:
   /// Throws WorkError if there is no process to be had.
@@ -19,7 +20,8 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The next line of its standard output, without the newline; none when the output ends, or when we are interrupted.
+  /// The next line of its standard output, without the newline; none when the output ends, or when we are
+  /// interrupted.
   [[nodiscard]] std::optional<std::string> read_line();
 
   /// Writes a line to its standard input.

@@ -1,11 +1,11 @@
 #include "experiments/config.h"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "experiments/cell_factors.h"
 #include "experiments/errors.h"
@@ -37,7 +37,8 @@ class Parser {
 
   void fail(const toml::node& at, const std::string& sentence) {
     const toml::source_region& source = at.source();
-    errors_ += fmt::format("{}:{}: {}\n", source.path ? *source.path : config_.file, source.begin.line, sentence);
+    errors_ +=
+        fmt::format("{}:{}: {}\n", source.path ? *source.path : config_.file, source.begin.line, sentence);
   }
 
   [[nodiscard]] const std::string& errors() const { return errors_; }
@@ -45,10 +46,12 @@ class Parser {
  private:
   void fail(toml::node_view<const toml::node> at, const std::string& sentence) { fail(*at.node(), sentence); }
 
-  void check_keys(const toml::table& table, const std::string& where, const std::vector<std::string_view>& known) {
+  void check_keys(const toml::table& table, const std::string& where,
+                  const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table) {
       if (std::ranges::find(known, key.str()) != known.end()) continue;
-      fail(value, fmt::format("unknown key \"{}{}\"; possible: {}", where, key.str(), fmt::join(known, ", ")));
+      fail(value,
+           fmt::format("unknown key \"{}{}\"; possible: {}", where, key.str(), fmt::join(known, ", ")));
     }
   }
 
@@ -67,7 +70,8 @@ class Parser {
     return otherwise;
   }
 
-  double number_or(const toml::table& table, std::string_view key, double otherwise, double low, double high) {
+  double number_or(const toml::table& table, std::string_view key, double otherwise, double low,
+                   double high) {
     const toml::node* const node = table.get(key);
     if (!node) return otherwise;
     const auto number = node->is_number() ? node->value<double>() : std::nullopt;
@@ -87,10 +91,12 @@ class Parser {
 
   void read_scene(const toml::table& scene) {
     check_keys(scene, "scene.", {"name", "file", "modes"});
-    if (scene.contains("name") && scene.contains("file")) fail(scene, "a scene has a name or a file, not both");
+    if (scene.contains("name") && scene.contains("file"))
+      fail(scene, "a scene has a name or a file, not both");
     config_.scene = text_or(scene, "name", config_.scene);
     if (scene.contains("file")) {
-      config_.scene = (std::filesystem::path(config_.file).parent_path() / text_or(scene, "file", "")).string();
+      config_.scene =
+          (std::filesystem::path(config_.file).parent_path() / text_or(scene, "file", "")).string();
     }
     try {
       (void)load_scene(config_.scene, 1);
@@ -132,8 +138,8 @@ class Parser {
       const auto values = factor_values(key.str(), node);
       if (axis.names.empty()) axis.points.resize(values.size());
       if (values.size() != axis.points.size()) {
-        fail(node, fmt::format("lists in [sweep.zip] advance together: \"{}\" has {} values, \"{}\" has {}", key.str(),
-                               values.size(), axis.names.front(), axis.points.size()));
+        fail(node, fmt::format("lists in [sweep.zip] advance together: \"{}\" has {} values, \"{}\" has {}",
+                               key.str(), values.size(), axis.names.front(), axis.points.size()));
         return;
       }
       axis.names.emplace_back(key.str());
@@ -158,8 +164,11 @@ class Parser {
         for (const int v : range) values.push_back({std::to_string(v), &one});
         if (range.empty()) values.push_back({*text, &one});
       } else {
-        fail(one, integer ? fmt::format("{} must be whole numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"", name)
-                          : fmt::format("{} must be strings in quotes", name));
+        fail(one,
+             integer
+                 ? fmt::format("{} must be whole numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"",
+                               name)
+                 : fmt::format("{} must be strings in quotes", name));
       }
     };
     if (const toml::array* const list = node.as_array()) {
@@ -203,7 +212,8 @@ class Parser {
     m.seed = static_cast<uint64_t>(integer_or(measure, "seed", static_cast<int>(m.seed), 0, 1 << 30));
     if (measure.contains("budget")) {
       m.budget_seconds = parse_duration(text_or(measure, "budget", ""));
-      if (m.budget_seconds == 0) fail(*measure.get("budget"), "budget must be a duration such as \"90 s\", \"10 min\" or \"2 h\"");
+      if (m.budget_seconds == 0)
+        fail(*measure.get("budget"), "budget must be a duration such as \"90 s\", \"10 min\" or \"2 h\"");
     }
   }
 
@@ -216,16 +226,19 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw RequestError(fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description()));
+    throw RequestError(
+        fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description()));
   }
 }
 
-/// `key=value` as a document: the value as TOML if it is any, as a string otherwise. A bare factor is one of [sweep].
+/// `key=value` as a document: the value as TOML if it is any, as a string otherwise. A bare factor is one of
+/// [sweep].
 toml::table parse_override(const std::string& assignment) {
   const size_t equals = assignment.find('=');
   std::string key = assignment.substr(0, equals);
   if (equals == std::string::npos || key.empty()) {
-    throw RequestError(fmt::format("--set {}: must be KEY=VALUE, such as threads=1..4 or measure.launches=3", assignment));
+    throw RequestError(
+        fmt::format("--set {}: must be KEY=VALUE, such as threads=1..4 or measure.launches=3", assignment));
   }
   if (find_factor(key)) key = "sweep." + key;
   const std::string value = assignment.substr(equals + 1), where = "--set " + assignment;
@@ -250,8 +263,8 @@ void merge(toml::table& into, toml::table&& from) {
 
 }  // namespace
 
-Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
-                    const MachineSize& machine) {
+Config parse_config(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& overrides, const MachineSize& machine) {
   Config config;
   config.file = file;
   config.text = text;
@@ -268,11 +281,13 @@ Config parse_config(const std::string& text, const std::string& file, const std:
   return config;
 }
 
-Config load_config(const std::string& file, const std::vector<std::string>& overrides, const MachineSize& machine) {
+Config load_config(const std::string& file, const std::vector<std::string>& overrides,
+                   const MachineSize& machine) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!std::filesystem::is_regular_file(file) || !in || !(text << in.rdbuf())) {
-    throw RequestError(fmt::format("{}: no such experiment: name a TOML file; `raysweep list experiments` shows those here", file));
+    throw RequestError(fmt::format(
+        "{}: no such experiment: name a TOML file; `raysweep list experiments` shows those here", file));
   }
   return parse_config(text.str(), file, overrides, machine);
 }

@@ -1,5 +1,5 @@
-// An experiment as its file states it. Parsing is a pure function of text and machine size; every error names file and
-// line, and all are told at once.
+// An experiment as its file states it. Parsing is a pure function of text and machine size; every error names
+// file and line, and all are told at once.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ struct MachineSize {
   int cores, pus;
 };
 
-/// Parses `text`; `file` is for messages and for paths relative to it; `overrides` are `key=value` as of --set. Throws
-/// RequestError with one line per error.
+/// Parses `text`; `file` is for messages and for paths relative to it; `overrides` are `key=value` as of
+/// --set. Throws RequestError with one line per error.
 [[nodiscard]] Config parse_config(const std::string& text, const std::string& file,
                                   const std::vector<std::string>& overrides, const MachineSize& machine);
 

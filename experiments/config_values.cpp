@@ -30,7 +30,8 @@ std::optional<int> range_end(std::string_view text, const MachineSize& machine) 
 std::vector<int> expand_range(const std::string& text, const MachineSize& machine) {
   const size_t dots = text.find("..");
   const auto low = range_end(std::string_view(text).substr(0, dots), machine);
-  const auto high = dots == std::string::npos ? low : range_end(std::string_view(text).substr(dots + 2), machine);
+  const auto high =
+      dots == std::string::npos ? low : range_end(std::string_view(text).substr(dots + 2), machine);
   std::vector<int> values;
   if (!low || !high || static_cast<long long>(*high) - *low >= max_range_length) return values;
   for (int v = *low; v <= *high; ++v) values.push_back(v);

@@ -5,8 +5,8 @@
 
 namespace raysweep {
 
-/// The request was wrong, and nothing was run: exit code 2. The text is one sentence or more, each with where, what, and
-/// what is possible.
+/// The request was wrong, and nothing was run: exit code 2. The text is one sentence or more, each with
+/// where, what, and what is possible.
 struct RequestError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -14,7 +14,8 @@ volatile std::sig_atomic_t caught = 0;
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = [](int) { caught = 1; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);  // no SA_RESTART: waits wake up
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    sigaction(signal, &action, nullptr);  // no SA_RESTART: waits wake up
 }
 
 bool interrupted() { return caught != 0; }

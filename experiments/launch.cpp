@@ -64,7 +64,8 @@ void warm_up(RenderJob& job, int frames, Record& record) {
 void fill_in(const RenderJob& job, Record& record) {
   const uint64_t frames = std::max<uint64_t>(1, record.frame_seconds.front().size());
   const RayCounts rays = job.rays();
-  record.rays = {rays.primary / frames, rays.shadow / frames, rays.reflected / frames, rays.refracted / frames};
+  record.rays = {rays.primary / frames, rays.shadow / frames, rays.reflected / frames,
+                 rays.refracted / frames};
   record.build_seconds = job.build_seconds();
   record.image_hash = job.film().hash();
   record.threads_seen = job.log().workers_seen();

@@ -9,15 +9,15 @@
 namespace raysweep {
 
 struct LaunchOptions {
-  double seconds = 0.3;             // timed frames go on for so long; at least one
-  bool timed = true;                // false: one frame only, for its picture
-  std::function<void()> before_timing;  // called between warm-up and timing
-  std::function<bool()> keep_busy;      // after timing: render on while this is true
+  double seconds = 0.3;                       // timed frames go on for so long; at least one
+  bool timed = true;                          // false: one frame only, for its picture
+  std::function<void()> before_timing;        // called between warm-up and timing
+  std::function<bool()> keep_busy;            // after timing: render on while this is true
   std::function<void(const Record&)> report;  // called once, before keep_busy
 };
 
-/// Runs `cell` once; its record lacks what only the run knows (experiment, round, machine). Throws SceneError or
-/// SchedulerError.
+/// Runs `cell` once; its record lacks what only the run knows (experiment, round, machine). Throws SceneError
+/// or SchedulerError.
 void run_launch(const Cell& cell, const LaunchOptions& options);
 
 }  // namespace raysweep

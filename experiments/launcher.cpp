@@ -39,7 +39,8 @@ LaunchOutcome corun(const Cell& cell, double seconds) {
   copy.processes = 1;
   std::vector<std::unique_ptr<Child>> children;
   for (int i = 0; i < cell.processes; ++i) {
-    children.push_back(std::make_unique<Child>(command(copy, {"--seconds", fmt::format("{}", seconds), "--together"})));
+    children.push_back(
+        std::make_unique<Child>(command(copy, {"--seconds", fmt::format("{}", seconds), "--together"})));
   }
   for (auto& child : children) {
     if (!child->read_line()) return ended(*child);  // "ready"

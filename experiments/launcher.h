@@ -26,8 +26,8 @@ class Launcher {
   virtual LaunchOutcome picture(const Cell& cell) = 0;
 };
 
-/// Each launch in fresh child processes of this program, `raysweep launch …`. The copies of a co-run cell wait for each
-/// other before they time frames, and go on rendering until the last one has finished its own.
+/// Each launch in fresh child processes of this program, `raysweep launch …`. The copies of a co-run cell
+/// wait for each other before they time frames, and go on rendering until the last one has finished its own.
 class ProcessLauncher final : public Launcher {
  public:
   LaunchOutcome launch(const Cell& cell, double seconds) override;

@@ -27,8 +27,10 @@ Topology load_topology() {
   if (hwloc_topology_load(raw) != 0) throw WorkError("hwloc cannot read this machine's topology");
   if (hwloc_topology_is_thissystem(raw)) {
     // What the affinity mask leaves out is not ours to count.
-    const std::unique_ptr<hwloc_bitmap_s, decltype(&hwloc_bitmap_free)> allowed(hwloc_bitmap_alloc(), hwloc_bitmap_free);
-    if (hwloc_get_cpubind(raw, allowed.get(), HWLOC_CPUBIND_PROCESS) == 0) hwloc_topology_restrict(raw, allowed.get(), 0);
+    const std::unique_ptr<hwloc_bitmap_s, decltype(&hwloc_bitmap_free)> allowed(hwloc_bitmap_alloc(),
+                                                                                hwloc_bitmap_free);
+    if (hwloc_get_cpubind(raw, allowed.get(), HWLOC_CPUBIND_PROCESS) == 0)
+      hwloc_topology_restrict(raw, allowed.get(), 0);
   }
   return topology;
 }
@@ -61,7 +63,8 @@ std::optional<double> cpu_quota() {
     for (std::string path = line.substr(3);; path = path.substr(0, path.rfind('/'))) {
       std::ifstream file("/sys/fs/cgroup" + path + "/cpu.max");
       double quota = 0, period = 0;
-      if (file >> quota >> period && period > 0) least = std::min(least.value_or(quota / period), quota / period);
+      if (file >> quota >> period && period > 0)
+        least = std::min(least.value_or(quota / period), quota / period);
       if (path.empty() || path == "/") break;
     }
   }
@@ -104,9 +107,10 @@ MachineRecord machine_record(const Machine& machine) {
 }
 
 nlohmann::json to_json(const Machine& machine) {
-  nlohmann::json json{{"host", machine.host},         {"cpu", machine.cpu},     {"kernel", machine.kernel},
-                      {"compiler", machine.compiler}, {"packages", machine.packages}, {"cores", machine.cores},
-                      {"pus", machine.pus},           {"load", load_average()}, {"topology", machine.outline}};
+  nlohmann::json json{
+      {"host", machine.host},         {"cpu", machine.cpu},           {"kernel", machine.kernel},
+      {"compiler", machine.compiler}, {"packages", machine.packages}, {"cores", machine.cores},
+      {"pus", machine.pus},           {"load", load_average()},       {"topology", machine.outline}};
   json["quota"] = machine.quota ? nlohmann::json(*machine.quota) : nlohmann::json();
   json["smt"] = machine.pus > machine.cores;
   for (char** variable = environ; *variable; ++variable) {

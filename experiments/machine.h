@@ -21,7 +21,8 @@ struct Machine {
   [[nodiscard]] MachineSize size() const { return {cores, pus}; }
 };
 
-/// Throws WorkError if hwloc cannot read the topology. HWLOC_SYNTHETIC in the environment describes another machine.
+/// Throws WorkError if hwloc cannot read the topology. HWLOC_SYNTHETIC in the environment describes another
+/// machine.
 [[nodiscard]] Machine detect_machine();
 
 /// The machine for a record, with its load average now.

@@ -10,12 +10,6 @@
 
 namespace raysweep {
 
-CLI::App* add_verb(CommandLine& line, const std::string& name, const std::string& summary) {
-  CLI::App* const verb = line.app.add_subcommand(name, summary);
-  verb->add_flag("--json", line.json, "one JSON document on standard output, everything else on standard error");
-  return verb;
-}
-
 namespace {
 
 int refuse(const char* sentence) {
@@ -25,10 +19,9 @@ int refuse(const char* sentence) {
 
 int run_command(int argc, char** argv) {
   CommandLine line;
-  line.app.require_subcommand(1);
-  line.app.set_version_flag("--version", RAYSWEEP_VERSION);
-  for (const auto add : {add_run, add_render, add_list, add_topology, add_report, add_launch}) add(line);
+  add_all_verbs(line);
   try {
+    refuse_unknown_verb(line, argc, argv);
     line.app.parse(argc, argv);
     return line.action();
   } catch (const CLI::ParseError& error) {

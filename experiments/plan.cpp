@@ -68,7 +68,8 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       for (const Cell& cell : cells) {
         for (const auto& point : axis.points) {
           Cell next = cell;
-          for (size_t i = 0; i < axis.names.size(); ++i) set_factor(next, *find_factor(axis.names[i]), point[i]);
+          for (size_t i = 0; i < axis.names.size(); ++i)
+            set_factor(next, *find_factor(axis.names[i]), point[i]);
           extended.push_back(std::move(next));
         }
       }
@@ -82,17 +83,21 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
 std::vector<size_t> Plan::order(int round) const {
   std::vector<size_t> indices(cells.size());
   std::iota(indices.begin(), indices.end(), size_t{0});
-  // Fisher and Yates by hand: std::shuffle may differ between libraries, and a plan must not. The modulo's bias is below
-  // cells/2³².
+  // Fisher and Yates by hand: std::shuffle may differ between libraries, and a plan must not. The modulo's
+  // bias is below cells/2³².
   std::mt19937 random(static_cast<uint32_t>(seed * 1000003 + static_cast<uint64_t>(round)));
   for (size_t i = indices.size(); i > 1; --i) std::swap(indices[i - 1], indices[random() % i]);
   return indices;
 }
 
 nlohmann::json to_json(const Plan& plan) {
-  nlohmann::json json{{"experiment", plan.experiment}, {"title", plan.title}, {"interval", plan.interval},
-                      {"seed", plan.seed}, {"rounds", plan.rounds}};
-  for (const PlannedCell& planned : plan.cells) json["cells"].push_back({{"key", planned.key}, {"asked", planned.asked}});
+  nlohmann::json json{{"experiment", plan.experiment},
+                      {"title", plan.title},
+                      {"interval", plan.interval},
+                      {"seed", plan.seed},
+                      {"rounds", plan.rounds}};
+  for (const PlannedCell& planned : plan.cells)
+    json["cells"].push_back({{"key", planned.key}, {"asked", planned.asked}});
   for (int round = 0; round < plan.rounds; ++round) json["order"].push_back(plan.order(round));
   return json;
 }

@@ -16,8 +16,8 @@ struct PlannedCell {
   bool asked;  // by the sweep; else a base that the tables need
 };
 
-/// The cells of a run: the sweep's, and those that its tables compare them with: `serial`, one thread of the same
-/// scheduler, and co-running serial processes, each for the same picture and item shape.
+/// The cells of a run: the sweep's, and those that its tables compare them with: `serial`, one thread of the
+/// same scheduler, and co-running serial processes, each for the same picture and item shape.
 struct Plan {
   std::string experiment, title;
   double interval = 0;  // relative half-width to reach
@@ -25,7 +25,8 @@ struct Plan {
   int rounds = 0;
   uint64_t seed = 0;
 
-  /// Indices of all cells in the random order of `round`. A function of seed and round alone, the same everywhere.
+  /// Indices of all cells in the random order of `round`. A function of seed and round alone, the same
+  /// everywhere.
   [[nodiscard]] std::vector<size_t> order(int round) const;
 };
 

@@ -29,7 +29,12 @@ double seconds_left(int done, int total, double elapsed, double budget) {
 }
 
 Progress::Progress(int total, double start_seconds, double budget_seconds, bool quiet)
-    : total_(total), start_(start_seconds), budget_(budget_seconds), last_(start_seconds), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+    : total_(total),
+      start_(start_seconds),
+      budget_(budget_seconds),
+      last_(start_seconds),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (terminal_ && !quiet_) fmt::print(stderr, "\r\033[K");

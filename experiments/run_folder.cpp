@@ -26,7 +26,8 @@ void write_whole(const fs::path& file, const std::string& text) {
   out.close();
   std::error_code error;
   if (out) fs::rename(part, file, error);
-  if (!out || error) throw RequestError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+  if (!out || error)
+    throw RequestError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
 }
 
 std::string read_whole(const fs::path& file) {
@@ -45,11 +46,14 @@ void drop_unfinished_line(const fs::path& file) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path path, const Config& config, const Plan& plan, const Machine& machine, bool resume)
+RunFolder::RunFolder(fs::path path, const Config& config, const Plan& plan, const Machine& machine,
+                     bool resume)
     : path_(std::move(path)) {
   std::error_code error;
   fs::create_directories(path_, error);
-  if (error) throw RequestError(fmt::format("{}: cannot be made: {}; choose another folder with --out", path_.string(), error.message()));
+  if (error)
+    throw RequestError(fmt::format("{}: cannot be made: {}; choose another folder with --out", path_.string(),
+                                   error.message()));
   lock();
   take_up(config, plan, resume);
   write_whole(path_ / "config.toml", config.text);
@@ -57,7 +61,8 @@ RunFolder::RunFolder(fs::path path, const Config& config, const Plan& plan, cons
   write_whole(path_ / "machine.json", to_json(machine).dump(1) + "\n");
   const fs::path records = path_ / "records.jsonl";
   file_ = open(records.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file_ < 0) throw RequestError(fmt::format("{}: cannot be written: {}", records.string(), std::strerror(errno)));
+  if (file_ < 0)
+    throw RequestError(fmt::format("{}: cannot be written: {}", records.string(), std::strerror(errno)));
 }
 
 RunFolder::~RunFolder() {
@@ -70,13 +75,15 @@ void RunFolder::lock() {
   const fs::path file = path_ / ".lock";
   lock_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock_ < 0) {
-    throw RequestError(fmt::format("{}: not writable: {}; choose another folder with --out", path_.string(), std::strerror(errno)));
+    throw RequestError(fmt::format("{}: not writable: {}; choose another folder with --out", path_.string(),
+                                   std::strerror(errno)));
   }
   // The kernel lets go of it when we die, so no stale lock can stay behind.
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     close(lock_);
-    throw RequestError(fmt::format("{}: another run is writing here (process {}); wait for it or choose another folder with --out",
-                                   path_.string(), read_whole(file)));
+    throw RequestError(fmt::format(
+        "{}: another run is writing here (process {}); wait for it or choose another folder with --out",
+        path_.string(), read_whole(file)));
   }
   const std::string process = std::to_string(getpid());
   if (ftruncate(lock_, 0) != 0 || pwrite(lock_, process.data(), process.size(), 0) < 0) {
@@ -91,11 +98,15 @@ void RunFolder::take_up(const Config& config, const Plan& plan, bool resume) {
     return;
   }
   if (!resume) {
-    throw RequestError(fmt::format("{}: holds a run already; go on with it by --resume, or choose another folder with --out", path_.string()));
+    throw RequestError(
+        fmt::format("{}: holds a run already; go on with it by --resume, or choose another folder with --out",
+                    path_.string()));
   }
   const auto old_plan = nlohmann::json::parse(read_whole(path_ / "plan.json"), nullptr, false);
   if (read_whole(path_ / "config.toml") != config.text || old_plan != to_json(plan)) {
-    throw RequestError(fmt::format("{}: was made from another config or another machine; --resume goes on with the same one only", path_.string()));
+    throw RequestError(fmt::format(
+        "{}: was made from another config or another machine; --resume goes on with the same one only",
+        path_.string()));
   }
   drop_unfinished_line(records);
   try {
@@ -115,8 +126,9 @@ void RunFolder::append(const Record& record) {
   }
   const std::string reason = std::strerror(errno);
   const bool taken_back = ftruncate(file_, before) == 0;
-  throw WorkError(fmt::format("{}: a record cannot be written ({}){}; finished launches are kept, go on with --resume",
-                              (path_ / "records.jsonl").string(), reason, taken_back ? "" : " and its beginning stays"));
+  throw WorkError(
+      fmt::format("{}: a record cannot be written ({}){}; finished launches are kept, go on with --resume",
+                  (path_ / "records.jsonl").string(), reason, taken_back ? "" : " and its beginning stays"));
 }
 
 }  // namespace raysweep

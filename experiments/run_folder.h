@@ -14,10 +14,12 @@ namespace raysweep {
 
 class RunFolder {
  public:
-  /// Makes `path` and locks it until this object is gone or the process has died, however. Writes config.toml, plan.json
-  /// and machine.json. With `resume` an earlier run of the same config and seed is taken up; without it the folder must
-  /// hold none. Throws RequestError: not writable, in use, holds a run, holds another run.
-  RunFolder(std::filesystem::path path, const Config& config, const Plan& plan, const Machine& machine, bool resume);
+  /// Makes `path` and locks it until this object is gone or the process has died, however. Writes
+  /// config.toml, plan.json and machine.json. With `resume` an earlier run of the same config and seed is
+  /// taken up; without it the folder must hold none. Throws RequestError: not writable, in use, holds a run,
+  /// holds another run.
+  RunFolder(std::filesystem::path path, const Config& config, const Plan& plan, const Machine& machine,
+            bool resume);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -25,8 +27,8 @@ class RunFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const std::vector<Record>& records() const { return records_; }
 
-  /// Writes one line to records.jsonl and waits until it is on disk. A line that does not fit is taken back whole and
-  /// throws WorkError.
+  /// Writes one line to records.jsonl and waits until it is on disk. A line that does not fit is taken back
+  /// whole and throws WorkError.
   void append(const Record& record);
 
  private:

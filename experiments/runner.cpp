@@ -13,7 +13,8 @@ namespace {
 
 class Runner {
  public:
-  Runner(const Config& config, const Plan& plan, const Machine& machine, RunFolder& folder, const RunnerTools& tools)
+  Runner(const Config& config, const Plan& plan, const Machine& machine, RunFolder& folder,
+         const RunnerTools& tools)
       : config_(config), plan_(plan), machine_(machine), folder_(folder), tools_(tools), start_(tools.now()) {
     for (const Record& r : folder.records()) {
       done_.insert({r.cell, r.round});
@@ -48,7 +49,8 @@ class Runner {
 
   static std::string label(const Cell& cell) {
     if (cell.processes > 1) return fmt::format("{} · {} × serial", cell.mode, cell.processes);
-    return fmt::format("{} · {} · {} {}", cell.mode, cell.scheduler, cell.threads, cell.threads == 1 ? "thread" : "threads");
+    return fmt::format("{} · {} · {} {}", cell.mode, cell.scheduler, cell.threads,
+                       cell.threads == 1 ? "thread" : "threads");
   }
 
   /// The hash of the serial picture of `cell`, rendered once; empty when interrupted.
@@ -61,7 +63,8 @@ class Runner {
     collapse_ignored_factors(serial);
     const LaunchOutcome outcome = tools_.launcher.picture(serial);
     if (outcome.interrupted) return {};
-    if (!outcome.record) throw WorkError(fmt::format("the serial picture cannot be rendered ({}): {}", key, outcome.failure));
+    if (!outcome.record)
+      throw WorkError(fmt::format("the serial picture cannot be rendered ({}): {}", key, outcome.failure));
     return references_[key] = outcome.record->image_hash;
   }
 

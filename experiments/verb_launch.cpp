@@ -30,7 +30,9 @@ int run(const std::string& cell_text, LaunchOptions options, bool together) {
   try {
     cell = cell_from_json(json);
   } catch (const nlohmann::json::exception& error) {
-    throw RequestError(fmt::format("--cell must be a JSON object with every factor of a cell, as `raysweep run` passes it: {}", error.what()));
+    throw RequestError(fmt::format(
+        "--cell must be a JSON object with every factor of a cell, as `raysweep run` passes it: {}",
+        error.what()));
   }
   if (together) {
     options.before_timing = [] {
@@ -52,9 +54,11 @@ void add_launch(CommandLine& line) {
   static LaunchOptions options;
   static bool picture = false, together = false;
   verb->add_option("--cell", cell, "the cell as JSON")->required();
-  verb->add_option("--seconds", options.seconds, "timed frames go on for so long")->check(CLI::NonNegativeNumber);
+  verb->add_option("--seconds", options.seconds, "timed frames go on for so long")
+      ->check(CLI::NonNegativeNumber);
   verb->add_flag("--picture", picture, "one untimed frame");
-  verb->add_flag("--together", together, "print \"ready\" and wait for a line before timing; render on after it");
+  verb->add_flag("--together", together,
+                 "print \"ready\" and wait for a line before timing; render on after it");
   verb->callback([&line] {
     line.action = [] {
       options.timed = !picture;

@@ -19,13 +19,15 @@ nlohmann::json entry(std::string_view name, std::string_view summary, const std:
 
 nlohmann::json list_schedulers() {
   nlohmann::json list;
-  for (const SchedulerInfo& s : all_schedulers()) list.push_back(entry(s.name, s.summary, why_unavailable(s.family)));
+  for (const SchedulerInfo& s : all_schedulers())
+    list.push_back(entry(s.name, s.summary, why_unavailable(s.family)));
   return list;
 }
 
 nlohmann::json list_runtimes() {
   nlohmann::json list;
-  for (const std::string_view family : module_families()) list.push_back(entry(family, runtime_of(family), why_unavailable(family)));
+  for (const std::string_view family : module_families())
+    list.push_back(entry(family, runtime_of(family), why_unavailable(family)));
   return list;
 }
 
@@ -39,7 +41,8 @@ nlohmann::json list_scenes() {
     list.back()["planes"] = scene.planes.size();
     list.back()["lights"] = scene.lights.size();
   }
-  list.push_back(entry("FILE", "a mesh: OBJ, PLY, STL, glTF and what else Assimp reads", why_no_mesh_files()));
+  list.push_back(
+      entry("FILE", "a mesh: OBJ, PLY, STL, glTF and what else Assimp reads", why_no_mesh_files()));
   return list;
 }
 
@@ -52,7 +55,8 @@ nlohmann::json list_choices(std::span<const Choice> choices) {
 nlohmann::json list_modes() {
   nlohmann::json list;
   for (const Mode& m : modes()) {
-    list.push_back(entry(m.name, fmt::format("{} x {}, {} subpixels, depth {}, {} lights", m.width, m.height, m.subpixels, m.depth, m.lights)));
+    list.push_back(entry(m.name, fmt::format("{} x {}, {} subpixels, depth {}, {} lights", m.width, m.height,
+                                             m.subpixels, m.depth, m.lights)));
   }
   return list;
 }
@@ -70,7 +74,8 @@ nlohmann::json list_experiments() {
     std::ifstream in(file);
     std::string question;
     std::getline(in, question);
-    list.push_back(entry(std::filesystem::proximate(file, error).string(), question.substr(std::min<size_t>(2, question.size()))));
+    list.push_back(entry(std::filesystem::proximate(file, error).string(),
+                         question.substr(std::min<size_t>(2, question.size()))));
   }
   return list;
 }
@@ -85,8 +90,10 @@ nlohmann::json list_of(const std::string& what) {
   if (what == "cores") return list_choices(cores());
   if (what == "accels") return list_choices(accels());
   if (what == "precisions") return list_choices(precisions());
-  if (what == "pins") return nlohmann::json::array({entry("none", "the operating system places threads as it likes")});
-  if (what == "isas") return nlohmann::json::array({entry("baseline", "what every processor of the architecture runs")});
+  if (what == "pins")
+    return nlohmann::json::array({entry("none", "the operating system places threads as it likes")});
+  if (what == "isas")
+    return nlohmann::json::array({entry("baseline", "what every processor of the architecture runs")});
   return list_experiments();
 }
 
@@ -101,9 +108,11 @@ int run(const std::string& what, bool json) {
   for (const auto& e : list) {
     const bool available = e["available"].get<bool>();
     std::string counts;
-    if (e.contains("triangles")) counts = fmt::format(" ({} triangles, {} spheres)", e["triangles"].get<size_t>(), e["spheres"].get<size_t>());
-    fmt::print("{:<{}}  {}{}{}\n", e["name"].get<std::string>(), width, e["summary"].get<std::string>(), counts,
-               available ? "" : fmt::format("  [not available: {}]", e["reason"].get<std::string>()));
+    if (e.contains("triangles"))
+      counts = fmt::format(" ({} triangles, {} spheres)", e["triangles"].get<size_t>(),
+                           e["spheres"].get<size_t>());
+    fmt::print("{:<{}}  {}{}{}\n", e["name"].get<std::string>(), width, e["summary"].get<std::string>(),
+               counts, available ? "" : fmt::format("  [not available: {}]", e["reason"].get<std::string>()));
   }
   return 0;
 }
@@ -111,12 +120,13 @@ int run(const std::string& what, bool json) {
 }  // namespace
 
 void add_list(CommandLine& line) {
-  CLI::App* const verb = add_verb(line, "list", "what is built in, one line each, with what is missing here and why");
+  CLI::App* const verb =
+      add_verb(line, "list", "what is built in, one line each, with what is missing here and why");
   static std::string what;
   verb->add_option("what", what, "what to list")
       ->required()
-      ->check(CLI::IsMember({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores", "accels",
-                             "precisions", "pins", "isas", "experiments"}));
+      ->check(CLI::IsMember({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores",
+                             "accels", "precisions", "pins", "isas", "experiments"}));
   verb->callback([&line] { line.action = [&line] { return run(what, line.json); }; });
 }
 

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -23,15 +23,19 @@ struct RenderOptions {
   int frames = 1;
 };
 
+/// Finds out before the work, not after it, that the picture cannot be written.
 void check_out(const std::string& out) {
-  if (!out.ends_with(".png")) throw RequestError(fmt::format("--out {}: pictures are written as .png; name a file that ends so", out));
+  if (!out.ends_with(".png"))
+    throw RequestError(fmt::format("--out {}: pictures are written as .png; name a file that ends so", out));
   const std::filesystem::path parent = std::filesystem::absolute(out).parent_path();
   if (!std::filesystem::is_directory(parent)) {
     throw RequestError(fmt::format("--out {}: there is no folder {}", out, parent.string()));
   }
-  if (access(parent.c_str(), W_OK) != 0 || std::filesystem::is_directory(out)) {
-    throw RequestError(fmt::format("--out {}: cannot be written there", out));
-  }
+  const std::string part = out + ".part";
+  const bool writable = std::ofstream(part).is_open() && !std::filesystem::is_directory(out);
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  if (!writable) throw RequestError(fmt::format("--out {}: cannot be written; choose another place", out));
 }
 
 Cell make_cell(const RenderOptions& options) {
@@ -58,7 +62,10 @@ nlohmann::json describe(const Cell& cell, const RenderJob& job, double seconds, 
           {"width", cell.settings.width},
           {"height", cell.settings.height},
           {"rays",
-           {{"primary", rays.primary / n}, {"shadow", rays.shadow / n}, {"reflected", rays.reflected / n}, {"refracted", rays.refracted / n}}},
+           {{"primary", rays.primary / n},
+            {"shadow", rays.shadow / n},
+            {"reflected", rays.reflected / n},
+            {"refracted", rays.refracted / n}}},
           {"mrays_per_second", static_cast<double>(rays.total()) / seconds / 1e6},
           {"build_seconds", job.build_seconds()},
           {"cell", cell.key()},
@@ -80,12 +87,13 @@ int run(const RenderOptions& options, bool json) {
     return exit_done;
   }
   const auto& rays = result["rays"];
-  fmt::print("{}: {} × {}, {:.3f} s a frame ({:.3g} fps) by {} on {} of {} threads\n", options.out, cell.settings.width,
-             cell.settings.height, seconds / options.frames, options.frames / seconds, cell.scheduler,
-             job.log().workers_seen(), cell.threads);
+  fmt::print("{}: {} × {}, {:.3f} s a frame ({:.3g} fps) by {} on {} of {} threads\n", options.out,
+             cell.settings.width, cell.settings.height, seconds / options.frames, options.frames / seconds,
+             cell.scheduler, job.log().workers_seen(), cell.threads);
   fmt::print("rays: {} primary, {} shadow, {} reflected; {:.2f} Mrays/s; hierarchy built in {:.3f} s\n",
-             rays["primary"].get<uint64_t>(), rays["shadow"].get<uint64_t>(), rays["reflected"].get<uint64_t>(),
-             result["mrays_per_second"].get<double>(), job.build_seconds());
+             rays["primary"].get<uint64_t>(), rays["shadow"].get<uint64_t>(),
+             rays["reflected"].get<uint64_t>(), result["mrays_per_second"].get<double>(),
+             job.build_seconds());
   fmt::print("picture {}\n", job.film().hash());
   return exit_done;
 }
@@ -99,9 +107,11 @@ void add_render(CommandLine& line) {
   for (const CellFactor& factor : cell_factors()) {
     const std::string name(factor.name);
     verb->add_option_function<std::string>(
-        "--" + name, [name](const std::string& value) { options.factors[name] = value; }, std::string(factor.possible));
+        "--" + name, [name](const std::string& value) { options.factors[name] = value; },
+        std::string(factor.possible));
   }
-  verb->add_option("--frames", options.frames, "frames to render; times are their mean")->check(CLI::Range(1, 1000000));
+  verb->add_option("--frames", options.frames, "frames to render; times are their mean")
+      ->check(CLI::Range(1, 1000000));
   verb->add_option("--out", options.out, "the picture, a .png file")->required();
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }

@@ -20,7 +20,8 @@ int run(const std::vector<std::string>& folders) {
 }  // namespace
 
 void add_report(CommandLine& line) {
-  CLI::App* const verb = line.app.add_subcommand("report", "the tables of finished runs anew, from their records alone");
+  CLI::App* const verb =
+      line.app.add_subcommand("report", "the tables of finished runs anew, from their records alone");
   static std::vector<std::string> folders;
   verb->add_option("folder", folders, "folders of runs")->required();
   verb->callback([&line] { line.action = [] { return run(folders); }; });

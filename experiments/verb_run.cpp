@@ -26,7 +26,8 @@ struct RunOptions {
 
 std::filesystem::path default_folder(const Config& config) {
   const std::time_t now = std::time(nullptr);
-  return std::filesystem::path("results/runs") / fmt::format("{}-{:%Y%m%d-%H%M%S}", config.experiment, *std::localtime(&now));
+  return std::filesystem::path("results/runs") /
+         fmt::format("{}-{:%Y%m%d-%H%M%S}", config.experiment, *std::localtime(&now));
 }
 
 Config read_config(const std::string& file, const RunOptions& options, const Machine& machine) {
@@ -37,27 +38,37 @@ Config read_config(const std::string& file, const RunOptions& options, const Mac
 }
 
 void print_plan(const Config& config, const Plan& plan) {
-  fmt::print("{}: {}\n{} cells, {} rounds, {} launches, seed {}, within {:.0f} s\n", config.experiment, config.title,
-             plan.cells.size(), plan.rounds, plan.cells.size() * static_cast<size_t>(plan.rounds), plan.seed,
-             config.measure.budget_seconds);
-  for (const PlannedCell& planned : plan.cells) fmt::print("{}{}\n", planned.key, planned.asked ? "" : "  (base)");
+  fmt::print("{}: {}\n{} cells, {} rounds, {} launches, seed {}, within {:.0f} s\n", config.experiment,
+             config.title, plan.cells.size(), plan.rounds,
+             plan.cells.size() * static_cast<size_t>(plan.rounds), plan.seed, config.measure.budget_seconds);
+  for (const PlannedCell& planned : plan.cells)
+    fmt::print("{}{}\n", planned.key, planned.asked ? "" : "  (base)");
 }
 
-std::string advice(const RunReport& report, const Config& config, const Plan& plan, const std::filesystem::path& folder) {
+std::string advice(const RunReport& report, const Config& config, const Plan& plan,
+                   const std::filesystem::path& folder) {
   switch (report.end) {
-    case RunEnd::complete: return {};
+    case RunEnd::complete:
+      return {};
     case RunEnd::out_of_budget:
-      return fmt::format("The budget of {:.0f} s was used up after {} of {} rounds; --budget gives more, --resume --out {} goes on.",
-                         config.measure.budget_seconds, report.whole_rounds, plan.rounds, folder.string());
+      return fmt::format(
+          "The budget of {:.0f} s was used up after {} of {} rounds; --budget gives more, --resume --out {} "
+          "goes on.",
+          config.measure.budget_seconds, report.whole_rounds, plan.rounds, folder.string());
     case RunEnd::interrupted:
-      return fmt::format("Interrupted: {} finished launches are kept; go on with --resume --out {}.", report.launches, folder.string());
+      return fmt::format("Interrupted: {} finished launches are kept; go on with --resume --out {}.",
+                         report.launches, folder.string());
   }
   return {};
 }
 
-nlohmann::json describe(const std::filesystem::path& folder, const RunReport& report, const std::vector<CellRow>& rows) {
-  nlohmann::json json{{"folder", folder.string()}, {"launches", report.launches}, {"void_launches", report.void_launches},
-                      {"complete", report.end == RunEnd::complete}, {"rows", nlohmann::json::array()}};
+nlohmann::json describe(const std::filesystem::path& folder, const RunReport& report,
+                        const std::vector<CellRow>& rows) {
+  nlohmann::json json{{"folder", folder.string()},
+                      {"launches", report.launches},
+                      {"void_launches", report.void_launches},
+                      {"complete", report.end == RunEnd::complete},
+                      {"rows", nlohmann::json::array()}};
   const Table table = scaling_data(rows);
   for (const auto& cells : table.rows) {
     nlohmann::json row;
@@ -67,8 +78,8 @@ nlohmann::json describe(const std::filesystem::path& folder, const RunReport& re
   return json;
 }
 
-int run_one(const Config& config, const Machine& machine, const RunOptions& options, const std::filesystem::path& out,
-            nlohmann::json* json) {
+int run_one(const Config& config, const Machine& machine, const RunOptions& options,
+            const std::filesystem::path& out, nlohmann::json* json) {
   const Plan plan = make_plan(config, machine.size());
   if (options.dry_run) {
     print_plan(config, plan);
@@ -77,7 +88,9 @@ int run_one(const Config& config, const Machine& machine, const RunOptions& opti
   RunFolder folder(out, config, plan, machine, options.resume);
   ProcessLauncher launcher;
   catch_interrupts();
-  if (!json) fmt::print(stderr, "{}: {} cells in {} rounds, at most {:.0f} s; records go to {}\n", config.experiment, plan.cells.size(), plan.rounds, config.measure.budget_seconds, folder.path().string());
+  if (!json)
+    fmt::print(stderr, "{}: {} cells in {} rounds, at most {:.0f} s; records go to {}\n", config.experiment,
+               plan.cells.size(), plan.rounds, config.measure.budget_seconds, folder.path().string());
   const RunReport report = run_plan(config, plan, machine, folder, {launcher, now_seconds, json != nullptr});
   const RunData data = read_run(folder.path());
   write_tables(data.rows, data.context, folder.path() / "tables");
@@ -86,7 +99,8 @@ int run_one(const Config& config, const Machine& machine, const RunOptions& opti
   } else {
     fmt::print("{}\n", tables_as_text(data.rows, data.context));
   }
-  if (const std::string text = advice(report, config, plan, folder.path()); !text.empty()) fmt::print(stderr, "{}\n", text);
+  if (const std::string text = advice(report, config, plan, folder.path()); !text.empty())
+    fmt::print(stderr, "{}\n", text);
   if (!json) fmt::print("Records, machine and tables: {}\n", folder.path().string());
   if (report.end == RunEnd::interrupted) return exit_interrupted;
   return report.void_launches > 0 ? exit_failed : exit_done;
@@ -100,14 +114,15 @@ int run(const RunOptions& options, bool as_json) {
     try {
       configs.push_back(read_config(file, options, machine));
     } catch (const RequestError& error) {
-      errors += (errors.empty() ? "" : "\n") + std::string(error.what());
+      errors.append(errors.empty() ? "" : "\n").append(error.what());
     }
   }
   if (!errors.empty()) throw RequestError(errors);
   nlohmann::json json = nlohmann::json::array();
   int worst = exit_done;
   for (const Config& config : configs) {
-    std::filesystem::path out = options.out.empty() ? default_folder(config) : std::filesystem::path(options.out);
+    std::filesystem::path out =
+        options.out.empty() ? default_folder(config) : std::filesystem::path(options.out);
     if (!options.out.empty() && configs.size() > 1) out /= config.experiment;
     const int code = run_one(config, machine, options, out, as_json ? &json : nullptr);
     worst = std::max(worst, code);
@@ -120,15 +135,20 @@ int run(const RunOptions& options, bool as_json) {
 }  // namespace
 
 void add_run(CommandLine& line) {
-  CLI::App* const verb = add_verb(line, "run", "runs experiments: tables at the end, everything into a folder");
+  CLI::App* const verb =
+      add_verb(line, "run", "runs experiments: tables at the end, everything into a folder");
   static RunOptions options;
   verb->add_option("config", options.configs, "experiment files (TOML)")->required();
   verb->add_option("--out", options.out, "folder of the run (default: results/runs/EXPERIMENT-TIME)");
   verb->add_flag("--resume", options.resume, "go on with the run in --out");
   verb->add_flag("--dry-run", options.dry_run, "print the cells and run nothing");
-  verb->add_option("--budget", options.budget_minutes, "minutes for each experiment")->check(CLI::PositiveNumber);
+  verb->add_option("--budget", options.budget_minutes, "minutes for each experiment")
+      ->check(CLI::PositiveNumber);
   verb->add_option("--seed", options.seed, "seed of the launches' order");
-  verb->add_option("--set", options.overrides, "KEY=VALUE: change the config, such as threads=1..4 or measure.launches=3")->take_all()->expected(1);
+  verb->add_option("--set", options.overrides,
+                   "KEY=VALUE: change the config, such as threads=1..4 or measure.launches=3")
+      ->take_all()
+      ->expected(1);
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 

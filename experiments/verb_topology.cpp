@@ -17,12 +17,14 @@ int run(int threads, bool json) {
     return exit_done;
   }
   fmt::print("{}: {}, {}\n", machine.host, machine.cpu, machine.kernel);
-  fmt::print("allowed here: {} packages, {} cores, {} processors{}\n\n", machine.packages, machine.cores, machine.pus,
-             machine.pus > machine.cores ? "" : "; no hyper-threading");
+  fmt::print("allowed here: {} packages, {} cores, {} processors{}\n\n", machine.packages, machine.cores,
+             machine.pus, machine.pus > machine.cores ? "" : "; no hyper-threading");
   for (const std::string& object : machine.outline) fmt::print("{}\n", object);
   if (threads > 0) {
     fmt::print("\n{} threads, pin none: the operating system places them as it likes{}\n", threads,
-               threads > machine.pus ? fmt::format("; {} more than there are processors (oversubscribed)", threads - machine.pus) : "");
+               threads > machine.pus ? fmt::format("; {} more than there are processors (oversubscribed)",
+                                                   threads - machine.pus)
+                                     : "");
   }
   return exit_done;
 }
@@ -30,7 +32,8 @@ int run(int threads, bool json) {
 }  // namespace
 
 void add_topology(CommandLine& line) {
-  CLI::App* const verb = add_verb(line, "topology", "the machine as hwloc sees it, and where each thread would go");
+  CLI::App* const verb =
+      add_verb(line, "topology", "the machine as hwloc sees it, and where each thread would go");
   static int threads = 0;
   static std::string pin = "none";
   verb->add_option("--threads", threads, "so many threads")->check(CLI::Range(1, 1024));

@@ -1,5 +1,5 @@
-// The verbs of the command line. Each adds itself to the parser and, when chosen, sets `action`, which returns the exit
-// code.
+// The verbs of the command line. Each adds itself to the parser and, when chosen, sets `action`, which
+// returns the exit code.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@ namespace raysweep {
 
 struct CommandLine {
   CLI::App app{"raysweep: how fast does this picture get when more threads share it?", "raysweep"};
-  bool json = false;             // one JSON document on standard output and nothing else there
+  bool json = false;  // one JSON document on standard output and nothing else there
   std::function<int()> action;
 };
 
@@ -19,6 +19,13 @@ void add_list(CommandLine& line);
 void add_topology(CommandLine& line);
 void add_launch(CommandLine& line);
 void add_report(CommandLine& line);
+
+/// All of them, and the options of the program itself.
+void add_all_verbs(CommandLine& line);
+
+/// Throws RequestError for a first argument that is no verb; the parser would only say that a verb is
+/// missing.
+void refuse_unknown_verb(const CommandLine& line, int argc, char** argv);
 
 /// A verb with the options that all verbs have.
 CLI::App* add_verb(CommandLine& line, const std::string& name, const std::string& summary);

@@ -1,5 +1,11 @@
 #include "results/factors.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
 namespace raysweep {
 
 const std::vector<FactorText>& factor_texts() {
@@ -24,6 +30,49 @@ const std::vector<FactorText>& factor_texts() {
       {"threads", [](const Record& r) { return std::to_string(r.threads); }, true},
   };
   return list;
+}
+
+namespace {
+
+/// Whether the mode's name alone decides this factor in every row.
+bool follows_from_mode(const std::vector<CellRow>& rows, const FactorText& factor) {
+  static const std::set<std::string> details{"width", "height", "subpixels", "depth", "lights"};
+  if (!details.contains(factor.name)) return false;
+  std::map<std::string, std::set<std::string>> values;
+  for (const CellRow& row : rows) values[row.cell.mode].insert(factor.text(row.cell));
+  return std::ranges::all_of(values, [](const auto& of_mode) { return of_mode.second.size() == 1; });
+}
+
+std::set<std::string> values_of(const std::vector<CellRow>& rows, const FactorText& factor) {
+  std::set<std::string> values;
+  for (const CellRow& row : rows) values.insert(factor.text(row.cell));
+  values.erase("-");
+  return values;
+}
+
+}  // namespace
+
+std::vector<FactorText> varying_factors(const std::vector<CellRow>& rows) {
+  std::vector<FactorText> varying;
+  for (const FactorText& factor : factor_texts()) {
+    const bool always = factor.name == "scheduler" || factor.name == "threads";
+    const bool varies = values_of(rows, factor).size() > 1 && !follows_from_mode(rows, factor);
+    if (always || varies) varying.push_back(factor);
+  }
+  return varying;
+}
+
+std::string constant_factors(const std::vector<CellRow>& rows, const std::vector<FactorText>& varying) {
+  std::string text;
+  for (const FactorText& factor : factor_texts()) {
+    if (std::ranges::any_of(varying, [&](const FactorText& f) { return f.name == factor.name; })) continue;
+    const auto values = values_of(rows, factor);
+    if (values.size() != 1) continue;
+    // Two lines: what is rendered, and how.
+    const char* const separator = text.empty() ? "" : factor.name == "core" ? "\n" : " · ";
+    text += fmt::format("{}{} {}", separator, factor.name, *values.begin());
+  }
+  return text;
 }
 
 }  // namespace raysweep

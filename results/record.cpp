@@ -31,10 +31,13 @@ template <class Each>
 void for_each_field(Each&& each) {
 #define RAYSWEEP_FIELD(name) each(#name, &Record::name)
   RAYSWEEP_FIELD(schema), RAYSWEEP_FIELD(kind), RAYSWEEP_FIELD(experiment), RAYSWEEP_FIELD(cell);
-  RAYSWEEP_FIELD(launch), RAYSWEEP_FIELD(round), RAYSWEEP_FIELD(seed), RAYSWEEP_FIELD(valid), RAYSWEEP_FIELD(reason);
-  RAYSWEEP_FIELD(machine), RAYSWEEP_FIELD(scene), RAYSWEEP_FIELD(mode), RAYSWEEP_FIELD(width), RAYSWEEP_FIELD(height);
+  RAYSWEEP_FIELD(launch), RAYSWEEP_FIELD(round), RAYSWEEP_FIELD(seed), RAYSWEEP_FIELD(valid),
+      RAYSWEEP_FIELD(reason);
+  RAYSWEEP_FIELD(machine), RAYSWEEP_FIELD(scene), RAYSWEEP_FIELD(mode), RAYSWEEP_FIELD(width),
+      RAYSWEEP_FIELD(height);
   RAYSWEEP_FIELD(subpixels), RAYSWEEP_FIELD(pattern), RAYSWEEP_FIELD(depth), RAYSWEEP_FIELD(lights);
-  RAYSWEEP_FIELD(accel), RAYSWEEP_FIELD(leaf), RAYSWEEP_FIELD(core), RAYSWEEP_FIELD(isa), RAYSWEEP_FIELD(method);
+  RAYSWEEP_FIELD(accel), RAYSWEEP_FIELD(leaf), RAYSWEEP_FIELD(core), RAYSWEEP_FIELD(isa),
+      RAYSWEEP_FIELD(method);
   RAYSWEEP_FIELD(precision), RAYSWEEP_FIELD(scheduler), RAYSWEEP_FIELD(runtime), RAYSWEEP_FIELD(item);
   RAYSWEEP_FIELD(threads), RAYSWEEP_FIELD(threads_seen), RAYSWEEP_FIELD(chunk), RAYSWEEP_FIELD(chunks_made);
   RAYSWEEP_FIELD(pin), RAYSWEEP_FIELD(processes), RAYSWEEP_FIELD(uses_threads), RAYSWEEP_FIELD(uses_chunk);
@@ -62,7 +65,8 @@ nlohmann::json to_json(const Record& record) {
 
 Record record_from_json(const nlohmann::json& json) {
   if (const int schema = json.at("schema").get<int>(); schema != record_schema) {
-    throw RecordError(fmt::format("schema {} is unknown here; this version reads schema {}", schema, record_schema));
+    throw RecordError(
+        fmt::format("schema {} is unknown here; this version reads schema {}", schema, record_schema));
   }
   Record record;
   for_each_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });

@@ -1,5 +1,5 @@
-// One launch, as it is written down: one line of records.jsonl. The schema is versioned; a reader refuses what it does
-// not know.
+// One launch, as it is written down: one line of records.jsonl. The schema is versioned; a reader refuses
+// what it does not know.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct RayRecord {
 /// The machine as far as tables need it; machine.json holds the rest.
 struct MachineRecord {
   std::string host, cpu;
-  int pus = 0;    // processors that the run was allowed to use
-  int cores = 0;  // physical cores among them
+  int pus = 0;      // processors that the run was allowed to use
+  int cores = 0;    // physical cores among them
   double load = 0;  // one-minute load average when the launch began
 };
 
@@ -45,9 +45,9 @@ struct Record {
   std::string scene, mode, pattern, accel, core, isa, method, precision, scheduler, runtime, item, chunk, pin;
   int width = 0, height = 0, subpixels = 0, depth = 0, lights = 0, leaf = 0;
   int threads = 0, threads_seen = 0;
-  int processes = 1;  // more than 1: co-running copies of one launch
+  int processes = 1;                            // more than 1: co-running copies of one launch
   bool uses_threads = true, uses_chunk = true;  // what the scheduler makes of them
-  bool asked = true;  // false: a base that the run added to its sweep
+  bool asked = true;                            // false: a base that the run added to its sweep
 
   std::vector<std::vector<double>> frame_seconds;  // by process
   std::vector<double> warmup_seconds;
@@ -69,8 +69,8 @@ struct RecordError : std::runtime_error {
 [[nodiscard]] nlohmann::json to_json(const Record& record);
 [[nodiscard]] Record record_from_json(const nlohmann::json& json);
 
-/// All whole records of a file, in order; a last line without its end (a writer that was killed) is left out. Throws
-/// RecordError for a line that is no record, or one of another schema.
+/// All whole records of a file, in order; a last line without its end (a writer that was killed) is left out.
+/// Throws RecordError for a line that is no record, or one of another schema.
 [[nodiscard]] std::vector<Record> read_records(const std::filesystem::path& file);
 
 }  // namespace raysweep

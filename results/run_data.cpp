@@ -10,7 +10,9 @@ namespace raysweep {
 RunData read_run(const std::filesystem::path& folder) {
   const std::filesystem::path plan_file = folder / "plan.json";
   std::ifstream in(plan_file, std::ios::binary);
-  if (!in) throw RecordError(fmt::format("{}: no run is here: {} cannot be opened", folder.string(), plan_file.string()));
+  if (!in)
+    throw RecordError(
+        fmt::format("{}: no run is here: {} cannot be opened", folder.string(), plan_file.string()));
   try {
     const auto plan = nlohmann::json::parse(in);
     std::vector<std::string> order;

@@ -13,20 +13,23 @@ namespace {
 using Rounds = std::map<int, double>;
 
 /// Everything but scheduler, threads and chunk: cells that share it can be each other's base.
-std::string base_key(const Record& r, std::string_view scheduler, int threads, std::string_view chunk, int processes) {
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", r.scene, r.mode, r.width, r.height,
-                     r.subpixels, r.pattern, r.depth, r.lights, r.accel, r.leaf, r.core, r.method, r.precision, r.item,
-                     r.pin, scheduler, threads, chunk, processes);
+std::string base_key(const Record& r, std::string_view scheduler, int threads, std::string_view chunk,
+                     int processes) {
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", r.scene, r.mode, r.width,
+                     r.height, r.subpixels, r.pattern, r.depth, r.lights, r.accel, r.leaf, r.core, r.method,
+                     r.precision, r.item, r.pin, scheduler, threads, chunk, processes);
 }
 
 std::string own_key(const Record& r) { return base_key(r, r.scheduler, r.threads, r.chunk, r.processes); }
 
-std::optional<Estimate> ratio(const Rounds& of, const std::map<std::string, Rounds>& all, const std::string& base) {
+std::optional<Estimate> ratio(const Rounds& of, const std::map<std::string, Rounds>& all,
+                              const std::string& base) {
   const auto found = all.find(base);
   if (found == all.end()) return std::nullopt;
   std::vector<double> ratios;
   for (const auto& [round, fps] : of) {
-    if (const auto other = found->second.find(round); other != found->second.end()) ratios.push_back(fps / other->second);
+    if (const auto other = found->second.find(round); other != found->second.end())
+      ratios.push_back(fps / other->second);
   }
   if (ratios.empty()) return std::nullopt;
   return estimate_median(std::move(ratios));
@@ -55,7 +58,8 @@ CellRow make_row(const std::vector<const Record*>& launches, const std::map<std:
   const auto valid = std::ranges::find_if(launches, [](const Record* r) { return r->valid; });
   const auto voided = std::ranges::find_if(launches, [](const Record* r) { return !r->valid; });
   row.cell = valid != launches.end() ? **valid : *launches.front();
-  row.void_launches = static_cast<int>(std::ranges::count_if(launches, [](const Record* r) { return !r->valid; }));
+  row.void_launches =
+      static_cast<int>(std::ranges::count_if(launches, [](const Record* r) { return !r->valid; }));
   if (voided != launches.end()) row.cell.reason = (*voided)->reason;
   for (const Record* r : launches) row.cell.threads_seen = std::min(row.cell.threads_seen, r->threads_seen);
   const Record& r = row.cell;
@@ -74,10 +78,11 @@ CellRow make_row(const std::vector<const Record*>& launches, const std::map<std:
     row.efficiency = row.speedup->value / r.threads;
     row.core_efficiency = row.speedup->value / std::min(r.threads, r.machine.cores);
   }
-  // One process is its own ceiling: the ratio is then the speedup itself.
   const int processes = std::min(r.threads, r.machine.pus);
+  if (processes == 1) return row;  // a process alone has no ceiling but itself
   const std::string corun = base_key(r, "serial", 1, "-", processes);
-  if (const auto reached = all.find(corun); reached != all.end()) row.ceiling = ratio(reached->second, all, serial);
+  if (const auto reached = all.find(corun); reached != all.end())
+    row.ceiling = ratio(reached->second, all, serial);
   row.of_ceiling = ratio(rounds, all, corun);
   return row;
 }

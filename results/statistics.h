@@ -22,9 +22,10 @@ struct Estimate {
 /// The middle of `samples` (mean of the middle two for an even count). Not for an empty list.
 [[nodiscard]] double median(std::vector<double> samples);
 
-/// How many order statistics to leave out on each side: the largest k for which [x(k+1), x(n−k)] covers the median with
-/// at least 95 %, whatever the distribution: coverage is 1 − 2·P(B ≤ k), B binomial(n, ½). None for n < 6, where even the
-/// whole range covers it less often (David & Nagaraja 2003, "Order Statistics", 7.1).
+/// How many order statistics to leave out on each side: the largest k for which [x(k+1), x(n−k)] covers the
+/// median with at least 95 %, whatever the distribution: coverage is 1 − 2·P(B ≤ k), B binomial(n, ½). None
+/// for n < 6, where even the whole range covers it less often (David & Nagaraja 2003, "Order
+/// Statistics", 7.1).
 [[nodiscard]] std::optional<int> median_interval_rank(int n);
 
 /// The median of `samples` with its 95 % order-statistic interval. Not for an empty list.

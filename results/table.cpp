@@ -29,8 +29,9 @@ std::vector<size_t> column_widths(const Table& table) {
   return widths;
 }
 
-std::string join_line(const Table& table, const std::vector<std::string>& cells, const std::vector<size_t>& widths,
-                      const char* before, const char* between, const char* after) {
+std::string join_line(const Table& table, const std::vector<std::string>& cells,
+                      const std::vector<size_t>& widths, const char* before, const char* between,
+                      const char* after) {
   std::string line = before;
   for (size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) line += between;
@@ -84,7 +85,7 @@ std::string to_markdown(const Table& table) {
 std::string to_csv(const Table& table) {
   const auto line = [](const std::vector<std::string>& cells) {
     std::string text;
-    for (size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + csv_field(cells[i]);
+    for (size_t i = 0; i < cells.size(); ++i) text.append(i > 0 ? "," : "").append(csv_field(cells[i]));
     return text + "\n";
   };
   std::string text = line(titles(table));

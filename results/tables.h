@@ -26,13 +26,15 @@ struct ModeTable {
   Table table;
 };
 
-/// fps and speedup, threads × modes, one pair a scheduler (and other varying factors); none where a run has one mode.
+/// fps and speedup, threads × modes, one pair a scheduler (and other varying factors); none where a run has
+/// one mode.
 [[nodiscard]] std::vector<ModeTable> mode_tables(const std::vector<CellRow>& rows);
 
 /// Everything a terminal should show.
 [[nodiscard]] std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context);
 
 /// Writes `scaling.md`, `scaling.csv` and the mode tables, as .md and .csv, into `folder`, which is made.
-void write_tables(const std::vector<CellRow>& rows, const TableContext& context, const std::filesystem::path& folder);
+void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
+                  const std::filesystem::path& folder);
 
 }  // namespace raysweep

@@ -1,5 +1,5 @@
-// How a family of schedulers comes as a module: a shared library loaded on demand, after the launch's environment is set,
-// so that a process holds no runtime that it does not measure.
+// How a family of schedulers comes as a module: a shared library loaded on demand, after the launch's
+// environment is set, so that a process holds no runtime that it does not measure.
 #pragma once
 
 #include <memory>

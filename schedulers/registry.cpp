@@ -27,10 +27,13 @@ constexpr std::array entries{
     Entry{{"serial", "std", "no threads at all: the base of every speedup", false}, make_serial},
     Entry{{"thread_static", "std", "std::thread, one contiguous block per thread"}, make_thread_static},
     Entry{{"thread_cyclic", "std", "std::thread, chunks dealt round robin", true, true}, make_thread_cyclic},
-    Entry{{"thread_dynamic", "std", "std::thread, next chunk from a shared counter", true, true}, make_thread_dynamic},
-    Entry{{"thread_chunks", "std", "std::thread, threads x chunk equal parts in a queue (Morozov 2011)", true, true},
+    Entry{{"thread_dynamic", "std", "std::thread, next chunk from a shared counter", true, true},
+          make_thread_dynamic},
+    Entry{{"thread_chunks", "std", "std::thread, threads x chunk equal parts in a queue (Morozov 2011)", true,
+           true},
           make_thread_chunks},
-    Entry{{"thread_spawn", "std", "std::thread, created anew for every frame, one block each"}, make_thread_spawn},
+    Entry{{"thread_spawn", "std", "std::thread, created anew for every frame, one block each"},
+          make_thread_spawn},
     Entry{{"omp_static", "openmp", "OpenMP, schedule(static): one contiguous block per thread"}, nullptr},
     Entry{{"omp_dynamic", "openmp", "OpenMP, schedule(dynamic, chunk)", true, true}, nullptr},
     Entry{{"omp_guided", "openmp", "OpenMP, schedule(guided, chunk): shrinking chunks", true, true}, nullptr},
@@ -38,7 +41,8 @@ constexpr std::array entries{
     Entry{{"tbb_simple", "tbb", "TBB parallel_for, simple_partitioner, chunk = grain", true, true}, nullptr},
     Entry{{"tbb_static", "tbb", "TBB parallel_for, static_partitioner, chunk = grain", true, true}, nullptr},
     // It remembers from run to run who had what: three runs settle it.
-    Entry{{"tbb_affinity", "tbb", "TBB parallel_for, affinity_partitioner kept across frames, chunk = grain", true, true, 3},
+    Entry{{"tbb_affinity", "tbb", "TBB parallel_for, affinity_partitioner kept across frames, chunk = grain",
+           true, true, 3},
           nullptr},
 };
 
@@ -59,10 +63,12 @@ LoadedModule load_module(std::string_view family) {
   const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "modules";
   const std::string file = (folder / fmt::format("raysweep_{}.so", family)).string();
   if (!std::filesystem::exists(file)) {
-    return {nullptr, fmt::format("not built: {} was not found when raysweep was configured",
-                                 family == "tbb" ? "TBB (libtbb-dev)" : "OpenMP (a compiler's libgomp or libomp)")};
+    return {nullptr,
+            fmt::format("not built: {} was not found when raysweep was configured",
+                        family == "tbb" ? "TBB (libtbb-dev)" : "OpenMP (a compiler's libgomp or libomp)")};
   }
-  void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded: runtimes keep threads of their own
+  void* const library =
+      dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded: runtimes keep threads of their own
   if (!library) return {nullptr, fmt::format("cannot be loaded: {}", dlerror())};
   const auto function = reinterpret_cast<ModuleFunction>(dlsym(library, module_symbol));
   if (!function) return {nullptr, fmt::format("{} is no raysweep module", file)};
@@ -82,7 +88,8 @@ bool is_module(std::string_view family) { return std::ranges::find(families, fam
 Make find_make(const Entry& entry) {
   if (entry.make) return entry.make;
   const LoadedModule& loaded = module_of(entry.info.family);
-  if (!loaded.module) throw SchedulerError(fmt::format("scheduler \"{}\" is {}", entry.info.name, loaded.problem));
+  if (!loaded.module)
+    throw SchedulerError(fmt::format("scheduler \"{}\" is {}", entry.info.name, loaded.problem));
   for (const ModuleEntry& offered : loaded.module->schedulers) {
     if (offered.name == entry.info.name) return offered.make;
   }
@@ -113,7 +120,8 @@ std::unique_ptr<Scheduler> make_scheduler(std::string_view name, int threads) {
   const auto entry = std::ranges::find(entries, name, [](const Entry& e) { return e.info.name; });
   if (entry == entries.end()) throw SchedulerError(fmt::format("unknown scheduler \"{}\"", name));
   if (threads < min_threads || threads > max_threads) {
-    throw SchedulerError(fmt::format("threads = {} is out of range: {} to {}", threads, min_threads, max_threads));
+    throw SchedulerError(
+        fmt::format("threads = {} is out of range: {} to {}", threads, min_threads, max_threads));
   }
   try {
     return find_make(*entry)(threads);

@@ -29,18 +29,19 @@ struct SchedulerInfo {
 /// Null for an unknown name.
 [[nodiscard]] const SchedulerInfo* find_scheduler(std::string_view name);
 
-/// Why schedulers of `family` cannot be made here, as a sentence; empty if they can. Loads the family's module.
+/// Why schedulers of `family` cannot be made here, as a sentence; empty if they can. Loads the family's
+/// module.
 [[nodiscard]] std::string why_unavailable(std::string_view family);
 
 /// The families that come as modules.
 [[nodiscard]] std::span<const std::string_view> module_families();
 
-/// The runtime library behind `family`, with its version and file: "libgomp (OpenMP 201511), /lib/…/libgomp.so.1".
-/// Empty where it is unavailable.
+/// The runtime library behind `family`, with its version and file: "libgomp (OpenMP 201511),
+/// /lib/…/libgomp.so.1". Empty where it is unavailable.
 [[nodiscard]] std::string runtime_of(std::string_view family);
 
-/// A scheduler with `threads` workers, warm. Throws SchedulerError: unknown, unavailable, out of range, or the system
-/// has no more threads.
+/// A scheduler with `threads` workers, warm. Throws SchedulerError: unknown, unavailable, out of range, or
+/// the system has no more threads.
 [[nodiscard]] std::unique_ptr<Scheduler> make_scheduler(std::string_view name, int threads);
 
 struct SchedulerError : std::runtime_error {

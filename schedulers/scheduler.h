@@ -1,5 +1,5 @@
-// The contract: run every item once; an item writes only its own slot; return when all are done; rethrow the first error
-// after all workers stopped.
+// The contract: run every item once; an item writes only its own slot; return when all are done; rethrow the
+// first error after all workers stopped.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ struct ItemSpace {
   size_t count = 0;
 };
 
-/// Runs items begin … end − 1 as worker 0 ≤ worker < threads. Called from several threads at once, never twice at once
-/// for one worker.
+/// Runs items begin … end − 1 as worker 0 ≤ worker < threads. Called from several threads at once, never
+/// twice at once for one worker.
 using Body = std::function<void(size_t begin, size_t end, int worker)>;
 
 /// How many items are handed out at once: a count of items, or so many chunks for each thread.
@@ -28,7 +28,8 @@ struct Chunk {
   /// "4" or "2/thread".
   [[nodiscard]] std::string text() const { return std::to_string(value) + (per_thread ? "/thread" : ""); }
 
-  /// Items a chunk, at least 1. Per-thread chunks are rounded up, so that there are at most `threads · value` of them.
+  /// Items a chunk, at least 1. Per-thread chunks are rounded up, so that there are at most `threads · value`
+  /// of them.
   [[nodiscard]] size_t size(size_t item_count, int threads) const {
     const auto v = static_cast<size_t>(value);
     if (!per_thread) return v;
@@ -58,14 +59,15 @@ class WorkerLog {
   std::vector<WorkerEntry> entries_;
 };
 
-/// A pool of workers and a way to share items among them. The constructor owns the pool; threads are warm from the first
-/// run on.
+/// A pool of workers and a way to share items among them. The constructor owns the pool; threads are warm
+/// from the first run on.
 class Scheduler {
  public:
   virtual ~Scheduler() = default;
 
-  /// Runs every item once. When a body throws, chunks not yet begun are dropped, and the first error is rethrown here
-  /// after all workers stopped; the scheduler stays usable. Not to be called from two threads at once.
+  /// Runs every item once. When a body throws, chunks not yet begun are dropped, and the first error is
+  /// rethrown here after all workers stopped; the scheduler stays usable. Not to be called from two threads
+  /// at once.
   void run(const ItemSpace& items, const Chunk& chunk, const Body& body, WorkerLog& log);
 
  private:

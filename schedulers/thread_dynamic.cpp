@@ -27,6 +27,8 @@ class ThreadDynamic final : public Scheduler {
 
 }  // namespace
 
-std::unique_ptr<Scheduler> make_thread_dynamic(int threads) { return std::make_unique<ThreadDynamic>(threads); }
+std::unique_ptr<Scheduler> make_thread_dynamic(int threads) {
+  return std::make_unique<ThreadDynamic>(threads);
+}
 
 }  // namespace raysweep

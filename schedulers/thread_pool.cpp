@@ -27,7 +27,8 @@ void ThreadPool::run(const std::function<void(int)>& work) {
   round_.notify_all();
   work(0);
   // Acquire pairs with the helpers' release: all that they wrote is seen after this loop.
-  for (int left; (left = busy_.load(std::memory_order_acquire)) > 0;) busy_.wait(left, std::memory_order_acquire);
+  for (int left; (left = busy_.load(std::memory_order_acquire)) > 0;)
+    busy_.wait(left, std::memory_order_acquire);
 }
 
 void ThreadPool::serve(int worker) {

@@ -18,7 +18,8 @@ class ThreadPool {
 
   [[nodiscard]] int threads() const { return static_cast<int>(helpers_.size()) + 1; }
 
-  /// Calls `work(worker)` once on every worker and returns when all calls have returned. `work` must not throw.
+  /// Calls `work(worker)` once on every worker and returns when all calls have returned. `work` must not
+  /// throw.
   void run(const std::function<void(int worker)>& work);
 
  private:

@@ -7,8 +7,8 @@ namespace raysweep {
 
 namespace {
 
-/// Threads created anew for every run, one contiguous block each, while the caller waits (the 2022 course work). The only
-/// scheduler whose thread creation is timed.
+/// Threads created anew for every run, one contiguous block each, while the caller waits (the 2022 course
+/// work). The only scheduler whose thread creation is timed.
 class ThreadSpawn final : public Scheduler {
  public:
   explicit ThreadSpawn(int threads) : threads_(static_cast<size_t>(threads)) {}
@@ -17,8 +17,10 @@ class ThreadSpawn final : public Scheduler {
   void run_items(const ItemSpace& items, const Chunk&, const Body& body) override {
     std::vector<std::jthread> workers;  // joined on the way out, also when a thread cannot be made
     for (size_t part = 0; part < threads_; ++part) {
-      const size_t begin = block_begin(items.count, part, threads_), end = block_begin(items.count, part + 1, threads_);
-      if (begin < end) workers.emplace_back([&body, begin, end, part] { body(begin, end, static_cast<int>(part)); });
+      const size_t begin = block_begin(items.count, part, threads_),
+                   end = block_begin(items.count, part + 1, threads_);
+      if (begin < end)
+        workers.emplace_back([&body, begin, end, part] { body(begin, end, static_cast<int>(part)); });
     }
   }
 

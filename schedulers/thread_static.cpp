@@ -15,7 +15,8 @@ class ThreadStatic final : public Scheduler {
     const auto parts = static_cast<size_t>(pool_.threads());
     pool_.run([&](int worker) {
       const auto part = static_cast<size_t>(worker);
-      const size_t begin = block_begin(items.count, part, parts), end = block_begin(items.count, part + 1, parts);
+      const size_t begin = block_begin(items.count, part, parts),
+                   end = block_begin(items.count, part + 1, parts);
       if (begin < end) body(begin, end, worker);
     });
   }

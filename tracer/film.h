@@ -35,8 +35,8 @@ class Film {
   std::vector<Vec3f> pixels_;
 };
 
-/// Writes 8-bit sRGB (IEC 61966-2-1): the film is linear, colours are clamped to 0…1. The file appears whole or not at
-/// all. Throws std::runtime_error with a sentence when it cannot be written.
+/// Writes 8-bit sRGB (IEC 61966-2-1): the film is linear, colours are clamped to 0…1. The file appears whole
+/// or not at all. Throws std::runtime_error with a sentence when it cannot be written.
 void write_png(const Film& film, const std::string& path);
 
 }  // namespace raysweep

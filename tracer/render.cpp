@@ -12,8 +12,8 @@ std::unique_ptr<const Renderer> make_renderer(const Scene& scene, const RenderSe
   if (settings.core == "scalar") renderer = make_scalar_renderer(scene, settings);
   if (settings.core == "m11") renderer = make_m11_renderer(scene, settings);
   if (!renderer) {
-    throw std::invalid_argument("no renderer for core \"" + settings.core + "\", precision \"" + settings.precision +
-                                "\", method \"" + settings.method + "\"");
+    throw std::invalid_argument("no renderer for core \"" + settings.core + "\", precision \"" +
+                                settings.precision + "\", method \"" + settings.method + "\"");
   }
   return renderer;
 }

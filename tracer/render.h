@@ -1,4 +1,5 @@
-// `render(tile)`: the one unit of work. Colour is a function of scene, settings and pixel, and of nothing else.
+// `render(tile)`: the one unit of work. Colour is a function of scene, settings and pixel, and of nothing
+// else.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +31,8 @@ struct Tile {
   int x, y, width, height;
 };
 
-/// A scene prepared for rendering in one way: compiled geometry, hierarchy, camera, pattern. Immutable, so any number of
-/// threads may render different tiles at once.
+/// A scene prepared for rendering in one way: compiled geometry, hierarchy, camera, pattern. Immutable, so
+/// any number of threads may render different tiles at once.
 class Renderer {
  public:
   virtual ~Renderer() = default;
@@ -40,6 +41,7 @@ class Renderer {
 };
 
 /// Builds geometry and hierarchy. Throws std::invalid_argument if a name in `settings` is unknown.
-[[nodiscard]] std::unique_ptr<const Renderer> make_renderer(const Scene& scene, const RenderSettings& settings);
+[[nodiscard]] std::unique_ptr<const Renderer> make_renderer(const Scene& scene,
+                                                            const RenderSettings& settings);
 
 }  // namespace raysweep

@@ -8,18 +8,23 @@
 namespace raysweep {
 
 /// Null where precision or method is unknown.
-[[nodiscard]] std::unique_ptr<const Renderer> make_scalar_renderer(const Scene& scene, const RenderSettings& settings);
-[[nodiscard]] std::unique_ptr<const Renderer> make_m11_renderer(const Scene& scene, const RenderSettings& settings);
+[[nodiscard]] std::unique_ptr<const Renderer> make_scalar_renderer(const Scene& scene,
+                                                                   const RenderSettings& settings);
+[[nodiscard]] std::unique_ptr<const Renderer> make_m11_renderer(const Scene& scene,
+                                                                const RenderSettings& settings);
 
 /// The renderer of `Core<precision, method>` that the settings name, or null.
 template <template <class, class> class Core>
-[[nodiscard]] std::unique_ptr<const Renderer> pick_renderer(const Scene& scene, const RenderSettings& settings) {
+[[nodiscard]] std::unique_ptr<const Renderer> pick_renderer(const Scene& scene,
+                                                            const RenderSettings& settings) {
   std::unique_ptr<const Renderer> renderer;
   for_each_method([&](auto method) {
     using Method = decltype(method);
     if (settings.method != Method::name) return;
-    if (settings.precision == "float") renderer = std::make_unique<Whitted<Core<float, Method>>>(scene, settings);
-    if (settings.precision == "double") renderer = std::make_unique<Whitted<Core<double, Method>>>(scene, settings);
+    if (settings.precision == "float")
+      renderer = std::make_unique<Whitted<Core<float, Method>>>(scene, settings);
+    if (settings.precision == "double")
+      renderer = std::make_unique<Whitted<Core<double, Method>>>(scene, settings);
   });
   return renderer;
 }

@@ -23,9 +23,10 @@ std::span<const Choice> cores() {
 }
 
 std::span<const Choice> accels() {
-  static constexpr std::array<Choice, 3> list{{{"sah", "hierarchy by the surface area heuristic in 16 bins"},
-                                               {"median", "hierarchy that halves the longest axis (Morozov 2011)"},
-                                               {"none", "every primitive for every ray: the oracle of the others"}}};
+  static constexpr std::array<Choice, 3> list{
+      {{"sah", "hierarchy by the surface area heuristic in 16 bins"},
+       {"median", "hierarchy that halves the longest axis (Morozov 2011)"},
+       {"none", "every primitive for every ray: the oracle of the others"}}};
   return list;
 }
 

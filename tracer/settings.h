@@ -1,4 +1,5 @@
-// How a picture is to be computed: everything but the scene. Names are the ones of command line, configs and records.
+// How a picture is to be computed: everything but the scene. Names are the ones of command line, configs and
+// records.
 #pragma once
 
 #include <span>
@@ -24,8 +25,8 @@ struct Range {
   int low, high;
   [[nodiscard]] bool contains(long long v) const { return v >= low && v <= high; }
 };
-inline constexpr Range width_range{1, 32768}, height_range{1, 32768}, subpixels_range{1, 65536}, depth_range{1, 1024},
-    leaf_range{1, 1 << 24}, lights_range{0, 64};
+inline constexpr Range width_range{1, 32768}, height_range{1, 32768}, subpixels_range{1, 65536},
+    depth_range{1, 1024}, leaf_range{1, 1 << 24}, lights_range{0, 64};
 
 /// A published combination of picture size and effort (Morozov 2011, 5.4).
 struct Mode {

@@ -1,4 +1,5 @@
-// Backward ray tracing (Whitted 1980) over any core: nearest hit, shadow rays, one mirror bounce after the other.
+// Backward ray tracing (Whitted 1980) over any core: nearest hit, shadow rays, one mirror bounce after the
+// other.
 #pragma once
 
 #include "tracer/render.h"
@@ -43,7 +44,8 @@ class Whitted final : public Renderer {
 
   Vec3<T> pixel(int x, int y, RayCounts& rays) const {
     Vec3<T> sum;
-    for (const Offset& o : pattern_) sum += trace(view_.through(static_cast<T>(x) + o.x, static_cast<T>(y) + o.y), rays);
+    for (const Offset& o : pattern_)
+      sum += trace(view_.through(static_cast<T>(x) + o.x, static_cast<T>(y) + o.y), rays);
     rays.primary += pattern_.size();
     return sum * (T(1) / static_cast<T>(pattern_.size()));
   }
@@ -57,8 +59,8 @@ class Whitted final : public Renderer {
       if (!hit) return sum + background_ * weight;
       const auto surface = core_.primitives().surface(ray, *hit);
       const Surfacing<T>& material = materials_[core_.primitives().material(hit->id)];
-      // Rounding leaves the computed point within a few ulps of the distances that made it; a spawned ray starts that
-      // far outside the surface.
+      // Rounding leaves the computed point within a few ulps of the distances that made it; a spawned ray
+      // starts that far outside the surface.
       constexpr T ulps = 16 * std::numeric_limits<T>::epsilon();
       const T error = ulps * (max_abs(surface.point) + max_abs(ray.origin) + hit->t);
       const Vec3<T> outside = surface.point + surface.normal * error;
@@ -70,8 +72,8 @@ class Whitted final : public Renderer {
     }
   }
 
-  Vec3<T> local(const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal, const Vec3<T>& from_eye,
-                RayCounts& rays) const {
+  Vec3<T> local(const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal,
+                const Vec3<T>& from_eye, RayCounts& rays) const {
     Vec3<T> sum = material.ambient;
     for (const PointLight& light : lights_) {
       const Vec3<T> towards = light.position - point;

@@ -1,15 +1,16 @@
 // The OpenMP family: one worksharing loop a scheduler.
+#include "schedulers/module.h"
+
 #include <omp.h>
 
 #include "schedulers/builtin.h"
-#include "schedulers/module.h"
 
 namespace raysweep {
 
 namespace {
 
-/// schedule(static) deals as many blocks as threads, so the loop runs over blocks: each thread gets the one that it would
-/// get of the items, and hands it on in one piece.
+/// schedule(static) deals as many blocks as threads, so the loop runs over blocks: each thread gets the one
+/// that it would get of the items, and hands it on in one piece.
 class OmpStatic final : public Scheduler {
  public:
   explicit OmpStatic(int threads) : threads_(threads) {}
@@ -19,7 +20,8 @@ class OmpStatic final : public Scheduler {
     const auto parts = static_cast<size_t>(threads_);
 #pragma omp parallel for schedule(static) num_threads(threads_)
     for (size_t part = 0; part < parts; ++part) {
-      const size_t begin = block_begin(items.count, part, parts), end = block_begin(items.count, part + 1, parts);
+      const size_t begin = block_begin(items.count, part, parts),
+                   end = block_begin(items.count, part + 1, parts);
       if (begin < end) body(begin, end, omp_get_thread_num());
     }
   }
@@ -70,7 +72,8 @@ std::unique_ptr<Scheduler> make(int threads) {
 extern "C" const Module* raysweep_module() {
   static const Module module{
       {{"omp_static", make<OmpStatic>}, {"omp_dynamic", make<OmpDynamic>}, {"omp_guided", make<OmpGuided>}},
-      "OpenMP " + std::to_string(_OPENMP) + ", " + library_of(reinterpret_cast<const void*>(&omp_get_thread_num))};
+      "OpenMP " + std::to_string(_OPENMP) + ", " +
+          library_of(reinterpret_cast<const void*>(&omp_get_thread_num))};
   return &module;
 }
 

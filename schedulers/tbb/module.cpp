@@ -1,11 +1,11 @@
 // The TBB family: parallel_for over a blocked_range, one scheduler a partitioner.
+#include "schedulers/module.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
-
-#include "schedulers/module.h"
 
 namespace raysweep {
 
@@ -30,8 +30,8 @@ class TbbParallelFor final : public Scheduler {
     });
   }
 
-  // Both are needed: the control alone leaves the arena at the processors' count, the arena alone starts no more workers
-  // than there are processors.
+  // Both are needed: the control alone leaves the arena at the processors' count, the arena alone starts no
+  // more workers than there are processors.
   tbb::global_control limit_;
   tbb::task_arena arena_;
   // One object for all runs: affinity_partitioner remembers in it which worker ran which items.

@@ -31,13 +31,14 @@ template <class T>
 size_t partition_evenly(const SplitRequest<T>& node) {
   const int axis = node.centres.longest_axis();
   const size_t half = node.order.size() / 2;
-  std::nth_element(node.order.begin(), node.order.begin() + static_cast<std::ptrdiff_t>(half), node.order.end(),
-                   [&](uint32_t a, uint32_t b) { return node.items[a].centre()[axis] < node.items[b].centre()[axis]; });
+  std::nth_element(
+      node.order.begin(), node.order.begin() + static_cast<std::ptrdiff_t>(half), node.order.end(),
+      [&](uint32_t a, uint32_t b) { return node.items[a].centre()[axis] < node.items[b].centre()[axis]; });
   return half;
 }
 
-/// Builds with `split(request)`, which partitions the request's `order` and returns the size of its first part, or 0
-/// for a leaf. It is asked only where the centres differ, and not below `balanced_from_depth`.
+/// Builds with `split(request)`, which partitions the request's `order` and returns the size of its first
+/// part, or 0 for a leaf. It is asked only where the centres differ, and not below `balanced_from_depth`.
 template <class T, class Split>
 Hierarchy<T> build_hierarchy(std::span<const Box<T>> items, int leaf_size, Split&& split) {
   Hierarchy<T> tree;
@@ -53,7 +54,8 @@ Hierarchy<T> build_hierarchy(std::span<const Box<T>> items, int leaf_size, Split
   while (!pending.empty()) {
     const Pending p = pending.back();
     pending.pop_back();
-    SplitRequest<T> request{items, std::span(tree.order).subspan(p.begin, p.end - p.begin), {}, {}, leaf_size};
+    SplitRequest<T> request{
+        items, std::span(tree.order).subspan(p.begin, p.end - p.begin), {}, {}, leaf_size};
     for (const uint32_t i : request.order) {
       request.box.include(items[i]);
       request.centres.include(items[i].centre());

@@ -24,19 +24,19 @@ struct Hierarchy {
   std::vector<uint32_t> order;
 };
 
-/// No path from the root is longer than this: builders halve the count of items from `balanced_from_depth` on, and 32
-/// more levels separate 2³² items. It bounds every traversal stack.
+/// No path from the root is longer than this: builders halve the count of items from `balanced_from_depth`
+/// on, and 32 more levels separate 2³² items. It bounds every traversal stack.
 inline constexpr int balanced_from_depth = 56;
 inline constexpr int max_hierarchy_depth = balanced_from_depth + 33;
 
-/// Morozov 2011, 4.3: halve the node's box in the middle of its longest axis, until a node holds at most `leaf_size`
-/// items. Where that leaves one side empty, the box around the items' centres is halved instead; items whose centres
-/// all coincide stay together in one leaf.
+/// Morozov 2011, 4.3: halve the node's box in the middle of its longest axis, until a node holds at most
+/// `leaf_size` items. Where that leaves one side empty, the box around the items' centres is halved instead;
+/// items whose centres all coincide stay together in one leaf.
 template <class T>
 [[nodiscard]] Hierarchy<T> build_median(std::span<const Box<T>> items, int leaf_size);
 
-/// The surface area heuristic in bins (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies"): at
-/// most `leaf_size` items a leaf, fewer where splitting is cheaper.
+/// The surface area heuristic in bins (Wald 2007, "On fast construction of SAH-based bounding volume
+/// hierarchies"): at most `leaf_size` items a leaf, fewer where splitting is cheaper.
 template <class T>
 [[nodiscard]] Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size);
 

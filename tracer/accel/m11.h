@@ -1,6 +1,6 @@
-// Morozov's own traversal (2011, 4.3.2), kept as an object of study: recursive over pointer nodes, both children always
-// visited, no order, no cut behind the nearest hit, primitives behind virtual calls. Only shadow rays stop early, at
-// the first occluder. What makes it slow is its subject; mend nothing here.
+// Morozov's own traversal (2011, 4.3.2), kept as an object of study: recursive over pointer nodes, both
+// children always visited, no order, no cut behind the nearest hit, primitives behind virtual calls. Only
+// shadow rays stop early, at the first occluder. What makes it slow is its subject; mend nothing here.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,8 @@ class M11Core {
     if (!tree.nodes.empty()) {
       root_ = grow(tree, 0);
     } else {
-      for (uint32_t id = primitives_.first_sphere(); id < primitives_.count(); ++id) unbounded_.push_back(make_object(id));
+      for (uint32_t id = primitives_.first_sphere(); id < primitives_.count(); ++id)
+        unbounded_.push_back(make_object(id));
     }
   }
 

@@ -30,9 +30,9 @@ template <class T>
   return t;
 }
 
-/// The smallest positive root. The discriminant is taken from the distance between centre and ray, and the second root
-/// from the product of both, so that far and small spheres keep their digits (Haines, Günther & Akenine-Möller 2019,
-/// "Precision improvements for ray/sphere intersection").
+/// The smallest positive root. The discriminant is taken from the distance between centre and ray, and the
+/// second root from the product of both, so that far and small spheres keep their digits (Haines, Günther &
+/// Akenine-Möller 2019, "Precision improvements for ray/sphere intersection").
 template <class T>
 [[nodiscard]] std::optional<T> intersect_sphere(const Ray<T>& ray, const Vec3<T>& centre, T radius) {
   const Vec3<T> f = ray.origin - centre;
@@ -49,8 +49,9 @@ template <class T>
   return std::nullopt;
 }
 
-/// Ids count planes first, then spheres, then the triangles of one mesh after the other. Spheres and triangles are
-/// bounded: they have a box and live in a hierarchy, where item `i` is primitive `first_sphere() + i`.
+/// Ids count planes first, then spheres, then the triangles of one mesh after the other. Spheres and
+/// triangles are bounded: they have a box and live in a hierarchy, where item `i` is primitive
+/// `first_sphere() + i`.
 template <class T, class Method>
 class Primitives {
  public:
@@ -59,7 +60,9 @@ class Primitives {
   explicit Primitives(const Scene& scene);
 
   [[nodiscard]] uint32_t first_sphere() const { return static_cast<uint32_t>(planes_.size()); }
-  [[nodiscard]] uint32_t first_triangle() const { return static_cast<uint32_t>(planes_.size() + spheres_.size()); }
+  [[nodiscard]] uint32_t first_triangle() const {
+    return static_cast<uint32_t>(planes_.size() + spheres_.size());
+  }
   [[nodiscard]] uint32_t count() const { return first_sphere() + static_cast<uint32_t>(boxes_.size()); }
   [[nodiscard]] const std::vector<Box<T>>& boxes() const { return boxes_; }
   [[nodiscard]] uint32_t material(uint32_t id) const { return materials_[id]; }
@@ -70,7 +73,8 @@ class Primitives {
   }
 
   /// The distance to sphere `id`, accepted by its box.
-  [[nodiscard]] std::optional<T> intersect_sphere(uint32_t id, const Ray<T>& ray, const SlabRay<T>& slab_ray) const {
+  [[nodiscard]] std::optional<T> intersect_sphere(uint32_t id, const Ray<T>& ray,
+                                                  const SlabRay<T>& slab_ray) const {
     const SphereData& s = spheres_[id - first_sphere()];
     return accept(id, raysweep::intersect_sphere(ray, s.centre, s.radius), slab_ray);
   }
@@ -83,7 +87,8 @@ class Primitives {
     return accept(id, hit->t, slab_ray);
   }
 
-  /// The surface at `hit`: the point (moved onto the surface where that is cheap) and the unit normal that faces the ray.
+  /// The surface at `hit`: the point (moved onto the surface where that is cheap) and the unit normal that
+  /// faces the ray.
   struct Surface {
     Vec3<T> point, normal;
   };
@@ -99,9 +104,10 @@ class Primitives {
     T radius;
   };
 
-  /// A hit counts where the ray meets the primitive's own box, and its distance is held inside that box. The true hit
-  /// lies there, so this only takes rounding away; and since every box of a hierarchy encloses the boxes below it and
-  /// `slab` is monotone, no traversal can cut such a hit off: brute force and every hierarchy agree exactly.
+  /// A hit counts where the ray meets the primitive's own box, and its distance is held inside that box. The
+  /// true hit lies there, so this only takes rounding away; and since every box of a hierarchy encloses the
+  /// boxes below it and `slab` is monotone, no traversal can cut such a hit off: brute force and every
+  /// hierarchy agree exactly.
   [[nodiscard]] std::optional<T> accept(uint32_t id, std::optional<T> t, const SlabRay<T>& slab_ray) const {
     if (!t) return std::nullopt;
     const Interval<T> inside = slab(boxes_[id - first_sphere()], slab_ray);
@@ -118,7 +124,8 @@ class Primitives {
   std::vector<uint32_t> materials_;
 };
 
-/// `box` grown by a few units in the last place of its coordinates: computed hits stray that far from the surface.
+/// `box` grown by a few units in the last place of its coordinates: computed hits stray that far from the
+/// surface.
 template <class T>
 [[nodiscard]] Box<T> padded(const Box<T>& box) {
   constexpr T ulps = 4 * std::numeric_limits<T>::epsilon();

@@ -31,7 +31,8 @@ Plan<T> plan_axis(const SplitRequest<T>& node, int axis) {
   if (!(width > 0)) return best;
   std::array<Bin<T>, bin_count> bins;
   for (const uint32_t i : node.order) {
-    // Counted by comparison with the very positions that partition_at will compare with: no item changes sides.
+    // Counted by comparison with the very positions that partition_at will compare with: no item changes
+    // sides.
     const T centre = node.items[i].centre()[axis];
     int b = std::clamp(static_cast<int>((centre - low) / width), 0, bin_count - 1);
     while (b > 0 && centre < low + static_cast<T>(b) * width) --b;
@@ -51,7 +52,8 @@ Plan<T> plan_axis(const SplitRequest<T>& node, int axis) {
     left.box.include(bins[b - 1].box);
     left.count += bins[b - 1].count;
     if (left.count == 0 || left.count == node.order.size()) continue;
-    const double cost = static_cast<double>(left.box.half_area()) * static_cast<double>(left.count) + right_cost[b];
+    const double cost =
+        static_cast<double>(left.box.half_area()) * static_cast<double>(left.count) + right_cost[b];
     if (cost < best.cost) best = {cost, axis, low + static_cast<T>(b) * width};
   }
   return best;
@@ -66,7 +68,8 @@ size_t split_by_area(const SplitRequest<T>& node) {
   }
   const bool may_be_leaf = node.order.size() <= static_cast<size_t>(node.leaf_size);
   const double area = static_cast<double>(node.box.half_area());
-  if (may_be_leaf && !(best.cost + node_cost * area < area * static_cast<double>(node.order.size()))) return 0;
+  if (may_be_leaf && !(best.cost + node_cost * area < area * static_cast<double>(node.order.size())))
+    return 0;
   if (!(best.cost < std::numeric_limits<double>::infinity())) return partition_evenly(node);
   return partition_at(node, best.axis, best.position);
 }

@@ -1,4 +1,5 @@
-// The plain good core: flat nodes, nearer child first, nothing visited behind the nearest hit. The oracle of faster ones.
+// The plain good core: flat nodes, nearer child first, nothing visited behind the nearest hit. The oracle of
+// faster ones.
 #pragma once
 
 #include <array>
@@ -57,7 +58,8 @@ class ScalarCore {
   }
 
  private:
-  /// A primitive with its data at hand, in the order in which leaves are read; spheres leave `prepared` empty.
+  /// A primitive with its data at hand, in the order in which leaves are read; spheres leave `prepared`
+  /// empty.
   struct Item {
     typename Primitives<T, Method>::Prepared prepared;
     uint32_t id;
@@ -72,13 +74,14 @@ class ScalarCore {
     if (hit.before(nearest)) nearest = hit;
   }
 
-  [[nodiscard]] std::optional<T> intersect(const Item& item, const Ray<T>& ray, const SlabRay<T>& slab_ray) const {
+  [[nodiscard]] std::optional<T> intersect(const Item& item, const Ray<T>& ray,
+                                           const SlabRay<T>& slab_ray) const {
     if (item.id < primitives_.first_triangle()) return primitives_.intersect_sphere(item.id, ray, slab_ray);
     return primitives_.intersect_triangle(item.id, item.prepared, ray, slab_ray);
   }
 
-  /// Shows `visit(item, limit)` every item whose boxes the ray enters at `t ≤ limit`, roughly near to far; `visit` may
-  /// lower `limit`. Stops and returns true when `visit` does.
+  /// Shows `visit(item, limit)` every item whose boxes the ray enters at `t ≤ limit`, roughly near to far;
+  /// `visit` may lower `limit`. Stops and returns true when `visit` does.
   template <class Visit>
   bool traverse(const SlabRay<T>& slab_ray, T limit, Visit&& visit) const {
     const auto visit_range = [&](uint32_t first, uint32_t count) {
@@ -97,7 +100,8 @@ class ScalarCore {
     };
     std::array<Entry, max_hierarchy_depth> stack;
     size_t top = 0;
-    if (const Interval<T> inside = slab(nodes[0].box, slab_ray); worth(inside)) stack[top++] = {0, inside.enter};
+    if (const Interval<T> inside = slab(nodes[0].box, slab_ray); worth(inside))
+      stack[top++] = {0, inside.enter};
     while (top > 0) {
       const Entry entry = stack[--top];
       if (entry.enter > limit) continue;

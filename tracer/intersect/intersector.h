@@ -1,4 +1,5 @@
-// What a ray–triangle method is: one header, one class template with the members of `Intersector`, one entry in all.h.
+// What a ray–triangle method is: one header, one class template with the members of `Intersector`, one entry
+// in all.h.
 #pragma once
 
 #include <concepts>
@@ -21,10 +22,11 @@ struct TriangleHit {
   T t, beta, gamma;
 };
 
-/// A method. `prepare` runs once per triangle, `intersect` per test; a hit has t > 0, β ≥ 0, γ ≥ 0, β + γ ≤ 1, edges and
-/// corners included. NaN anywhere is a miss.
+/// A method. `prepare` runs once per triangle, `intersect` per test; a hit has t > 0, β ≥ 0, γ ≥ 0, β + γ ≤
+/// 1, edges and corners included. NaN anywhere is a miss.
 template <class M, class T>
-concept Intersector = requires(const Triangle<T>& triangle, const Ray<T>& ray, const typename M::template Prepared<T>& prepared) {
+concept Intersector = requires(const Triangle<T>& triangle, const Ray<T>& ray,
+                               const typename M::template Prepared<T>& prepared) {
   { M::name } -> std::convertible_to<std::string_view>;
   { M::summary } -> std::convertible_to<std::string_view>;
   { M::prepare(triangle) } -> std::same_as<typename M::template Prepared<T>>;

@@ -9,7 +9,8 @@ namespace raysweep {
 
 struct MollerTrumbore {
   static constexpr std::string_view name = "moller_trumbore";
-  static constexpr std::string_view summary = "Moeller & Trumbore 1997; edges precomputed, barycentric tests first";
+  static constexpr std::string_view summary =
+      "Moeller & Trumbore 1997; edges precomputed, barycentric tests first";
 
   template <class T>
   struct Prepared {

@@ -9,7 +9,8 @@ namespace raysweep {
 
 struct Morozov {
   static constexpr std::string_view name = "morozov";
-  static constexpr std::string_view summary = "Morozov 2011, formula (10); normal and edges precomputed, distance first";
+  static constexpr std::string_view summary =
+      "Morozov 2011, formula (10); normal and edges precomputed, distance first";
 
   template <class T>
   struct Prepared {

@@ -47,12 +47,13 @@ struct Interval {
 
 /// The ray's interval inside `box`.
 ///
-/// Rounding never loses a box that the exact ray meets: `leave` is widened by 1 + 2γ(3), γ(n) = nu/(1 − nu), u half an
-/// ulp of 1 (Ize 2013, "Robust BVH ray traversal"). A ray inside the plane of a face gives 0·inf = NaN on that axis;
-/// both comparisons below are false for NaN, so the axis is left out, which keeps the box.
+/// Rounding never loses a box that the exact ray meets: `leave` is widened by 1 + 2γ(3), γ(n) = nu/(1 − nu),
+/// u half an ulp of 1 (Ize 2013, "Robust BVH ray traversal"). A ray inside the plane of a face gives 0·inf =
+/// NaN on that axis; both comparisons below are false for NaN, so the axis is left out, which keeps the box.
 ///
-/// The result is monotone: a box inside another one never gets the wider interval. Every operation is (subtraction,
-/// multiplication by a constant of fixed sign, min, max, and rounding itself). `accept` in primitives.h builds on it.
+/// The result is monotone: a box inside another one never gets the wider interval. Every operation is
+/// (subtraction, multiplication by a constant of fixed sign, min, max, and rounding itself). `accept` in
+/// primitives.h builds on it.
 template <class T>
 [[nodiscard]] inline Interval<T> slab(const Box<T>& box, const SlabRay<T>& ray) {
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;

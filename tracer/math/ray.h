@@ -7,7 +7,8 @@
 
 namespace raysweep {
 
-/// Points `origin + t·direction`, `t > 0`. Cameras and shading make directions of length 1, so that `t` is a distance.
+/// Points `origin + t·direction`, `t > 0`. Cameras and shading make directions of length 1, so that `t` is a
+/// distance.
 template <class T>
 struct Ray {
   Vec3<T> origin, direction;

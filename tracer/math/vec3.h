@@ -13,7 +13,8 @@ struct Vec3 {
   constexpr Vec3() = default;
   constexpr Vec3(T a, T b, T c) : x(a), y(b), z(c) {}
   template <class U>
-  constexpr explicit Vec3(const Vec3<U>& v) : x(static_cast<T>(v.x)), y(static_cast<T>(v.y)), z(static_cast<T>(v.z)) {}
+  constexpr explicit Vec3(const Vec3<U>& v)
+      : x(static_cast<T>(v.x)), y(static_cast<T>(v.y)), z(static_cast<T>(v.z)) {}
 
   constexpr T operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 

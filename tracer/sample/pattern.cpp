@@ -8,8 +8,8 @@ namespace raysweep {
 
 namespace {
 
-/// round(√count) rows; row i holds ⌊(i+1)·count/rows⌋ − ⌊i·count/rows⌋ cells and is as high as its share of the cells,
-/// so every cell has the same area and the mean over their centres is the box filter's.
+/// round(√count) rows; row i holds ⌊(i+1)·count/rows⌋ − ⌊i·count/rows⌋ cells and is as high as its share of
+/// the cells, so every cell has the same area and the mean over their centres is the box filter's.
 std::vector<Subpixel> make_grid(int count) {
   std::vector<Subpixel> points;
   const int rows = static_cast<int>(std::lround(std::sqrt(count)));
@@ -22,9 +22,9 @@ std::vector<Subpixel> make_grid(int count) {
   return points;
 }
 
-/// Radius 1/√6: the circle then has the pixel's own second moment (r²/2 = 1/12 an axis), so both blur alike. The first
-/// point stands a fifth of a step past the x axis: four points then make the rotated grid, whose x and y are all
-/// different and evenly spaced, and no other small count aligns points with rows or columns.
+/// Radius 1/√6: the circle then has the pixel's own second moment (r²/2 = 1/12 an axis), so both blur alike.
+/// The first point stands a fifth of a step past the x axis: four points then make the rotated grid, whose x
+/// and y are all different and evenly spaced, and no other small count aligns points with rows or columns.
 std::vector<Subpixel> make_circle(int count) {
   if (count == 1) return {{0.5, 0.5}};
   const double radius = 1 / std::sqrt(6.0);

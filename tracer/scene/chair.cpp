@@ -14,7 +14,8 @@ constexpr double back_foot = 0.2;     // how far the back posts stand behind the
 constexpr double back_width = 0.185;  // half the distance between the posts
 constexpr double top = 0.96;
 
-/// The back's curved surface: leans back with height, bows backwards in the middle; below the seat the posts splay out.
+/// The back's curved surface: leans back with height, bows backwards in the middle; below the seat the posts
+/// splay out.
 Vec3d back_at(double x, double y) {
   const double up = (y - seat_height) / (top - seat_height);
   const double lean = up > 0 ? 0.1 * std::pow(up, 1.4) : 0.05 * up * up;
@@ -37,7 +38,8 @@ Path bar(const Vec3d& from, const Vec3d& to, double radius, double swell) {
 Path front_leg(double x) {
   return [=](double u) {
     const double y = 0.44 * u;
-    const double ring = 0.006 * std::exp(-std::pow((u - 0.82) / 0.03, 2)) + 0.004 * std::exp(-std::pow(u / 0.05, 2));
+    const double ring =
+        0.006 * std::exp(-std::pow((u - 0.82) / 0.03, 2)) + 0.004 * std::exp(-std::pow(u / 0.05, 2));
     const double r = 0.013 + 0.010 * u + ring;
     return Section{{x * (1.06 - 0.06 * u), y, 0.185 + 0.012 * (1 - u)}, {r, 0, 0}, {0, 0, r}};
   };
@@ -77,7 +79,8 @@ Path spindle(double x) {
 /// The seat's rim at `angle`: a superellipse, a little narrower at the back.
 Vec3d rim(double angle, double scale) {
   const double c = std::cos(angle), s = std::sin(angle);
-  const double x = std::copysign(std::pow(std::abs(c), 0.5), c), z = std::copysign(std::pow(std::abs(s), 0.5), s);
+  const double x = std::copysign(std::pow(std::abs(c), 0.5), c),
+               z = std::copysign(std::pow(std::abs(s), 0.5), s);
   return {scale * seat_half_width * x * (1 + 0.06 * z), seat_height, scale * seat_half_depth * z};
 }
 
@@ -100,8 +103,8 @@ Vec3d weave(double u, double v, int cells) {
 
 }  // namespace
 
-// Triangles: front legs 2·1004/2, back posts 2·1388/2, seat frame 768, top rail 540, lower rail 308, spindles 5·140,
-// stretchers 2·96 + 176 + 150, seat 2·40² − 1 = 3199: 10,817 in all.
+// Triangles: front legs 2·1004/2, back posts 2·1388/2, seat frame 768, top rail 540, lower rail 308, spindles
+// 5·140, stretchers 2·96 + 176 + 150, seat 2·40² − 1 = 3199: 10,817 in all.
 Chair make_chair() {
   Chair chair;
   Mesh& frame = chair.frame;
@@ -109,7 +112,9 @@ Chair make_chair() {
   for (const double side : {-1.0, 1.0}) {
     append_tube(frame, front_leg(side * 0.195), 24, 20);
     append_tube(frame, back_post(side), 24, 28);
-    append_tube(frame, bar({side * 0.2, 0.2, 0.19}, back_at(back_width, 0.22) + Vec3d((side - 1) * back_width, 0, 0), 0.0085, 0.3),
+    append_tube(frame,
+                bar({side * 0.2, 0.2, 0.19}, back_at(back_width, 0.22) + Vec3d((side - 1) * back_width, 0, 0),
+                    0.0085, 0.3),
                 10, 4);
   }
   append_ring(frame, seat_frame, 12, 32);
@@ -121,7 +126,8 @@ Chair make_chair() {
 
   constexpr int cells = 40;
   chair.seat.name = "woven seat";
-  append_sheet(chair.seat, [](double u, double v) { return weave(u, v, cells); }, cells);
+  append_sheet(
+      chair.seat, [](double u, double v) { return weave(u, v, cells); }, cells);
   return chair;
 }
 

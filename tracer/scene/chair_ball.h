@@ -5,7 +5,8 @@
 
 namespace raysweep {
 
-/// Both shapes are ideal mirrors (`k_reflect` = 1) with a local colour of their own, so that lights are seen and cost.
+/// Both shapes are ideal mirrors (`k_reflect` = 1) with a local colour of their own, so that lights are seen
+/// and cost.
 [[nodiscard]] Scene make_chair_ball(int light_count);
 
 }  // namespace raysweep

@@ -18,8 +18,8 @@ Scene frame_meshes(std::string name, std::vector<Mesh> meshes, int light_count) 
   scene.meshes = std::move(meshes);
 
   const Vec3d centre = box.centre();
-  // The sphere around the box, a little larger, fills the smaller side of a 4:3 picture; a mesh of no extent still
-  // needs a distance to look from.
+  // The sphere around the box, a little larger, fills the smaller side of a 4:3 picture; a mesh of no extent
+  // still needs a distance to look from.
   const double radius = std::max(0.5 * length(box.size()), 1e-6 * std::max(1.0, max_abs(centre)));
   const double distance = 1.05 * radius / std::sin(scene.camera.half_angle);
   scene.camera.target = centre;

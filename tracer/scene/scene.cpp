@@ -21,7 +21,8 @@ std::vector<Light> light_dome(int count, const Vec3d& target, double radius) {
   constexpr double key_share = 0.7;
   std::vector<Light> lights;
   for (int i = 0; i < count; ++i) {
-    const double azimuth = 2.4 + i * golden_angle;  // radians from +x towards +z, the viewer's side; 2.4 is left of it
+    const double azimuth =
+        2.4 + i * golden_angle;  // radians from +x towards +z, the viewer's side; 2.4 is left of it
     const double elevation = i == 0 ? 0.9 : 0.45 + 0.8 * std::fmod(i * 0.6180339887498949, 1.0);
     const Vec3d direction(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
                           std::cos(elevation) * std::sin(azimuth));

@@ -36,7 +36,8 @@ struct Sphere {
   uint32_t material;
 };
 
-/// An indexed triangle mesh; both sides are visible. Every index is below `vertices.size()`, every vertex finite.
+/// An indexed triangle mesh; both sides are visible. Every index is below `vertices.size()`, every vertex
+/// finite.
 struct Mesh {
   std::string name;
   std::vector<Vec3f> vertices;
@@ -73,8 +74,9 @@ struct Scene {
 /// The box around all vertices of `mesh`.
 [[nodiscard]] Box<double> bounds_of(const Mesh& mesh);
 
-/// `count` lights on a dome of `radius` around `target`: a key light at the camera's left, then the rest, dimmer, at
-/// the golden angle. Their intensities sum to 1 whatever the count, so that a sweep over lights keeps the exposure.
+/// `count` lights on a dome of `radius` around `target`: a key light at the camera's left, then the rest,
+/// dimmer, at the golden angle. Their intensities sum to 1 whatever the count, so that a sweep over lights
+/// keeps the exposure.
 [[nodiscard]] std::vector<Light> light_dome(int count, const Vec3d& target, double radius);
 
 }  // namespace raysweep

@@ -12,8 +12,10 @@ namespace raysweep {
 
 std::span<const BuiltInScene> built_in_scenes() {
   static constexpr std::array<BuiltInScene, 2> list{
-      {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)", make_chair_ball},
-       {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture", make_studio}}};
+      {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)",
+        make_chair_ball},
+       {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture",
+        make_studio}}};
   return list;
 }
 
@@ -25,9 +27,10 @@ Scene load_scene(const std::string& name_or_file, int light_count) {
   }
   std::error_code error;
   if (!std::filesystem::is_regular_file(name_or_file, error)) {
-    throw SceneError(fmt::format("no scene \"{}\": it is neither built in (those are: {}) nor a mesh file that can be "
-                                 "opened",
-                                 name_or_file, names));
+    throw SceneError(
+        fmt::format("no scene \"{}\": it is neither built in (those are: {}) nor a mesh file that can be "
+                    "opened",
+                    name_or_file, names));
   }
   return frame_meshes(name_or_file, load_meshes(name_or_file), light_count);
 }

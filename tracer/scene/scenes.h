@@ -27,13 +27,15 @@ struct SceneError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads OBJ, PLY, STL, glTF and whatever else Assimp reads. Throws SceneError: unreadable, empty, NaN, bad index.
+/// Reads OBJ, PLY, STL, glTF and whatever else Assimp reads. Throws SceneError: unreadable, empty, NaN, bad
+/// index.
 [[nodiscard]] std::vector<Mesh> load_meshes(const std::string& file);
 
 /// Why mesh files cannot be read here; empty if they can.
 [[nodiscard]] std::string why_no_mesh_files();
 
-/// `meshes` in a plain light surface before a pale background, with a camera that frames them from the front left.
+/// `meshes` in a plain light surface before a pale background, with a camera that frames them from the front
+/// left.
 [[nodiscard]] Scene frame_meshes(std::string name, std::vector<Mesh> meshes, int light_count);
 
 }  // namespace raysweep

@@ -50,17 +50,14 @@ Scene make_studio(int light_count) {
   sweep.k_specular = 0;
   Material mirror = paint({0.05, 0.05, 0.06}, 0.88, 200);
   mirror.k_specular = 1;
-  scene.materials = {sweep,
-                     paint({0.62, 0.045, 0.03}, 0.06, 80),
-                     paint({0.78, 0.54, 0.26}, 0, 10),
-                     mirror,
-                     paint({0.90, 0.48, 0.02}, 0.08, 90),
-                     paint({0.02, 0.20, 0.30}, 0.14, 90)};
+  scene.materials = {sweep,  paint({0.62, 0.045, 0.03}, 0.06, 80), paint({0.78, 0.54, 0.26}, 0, 10),
+                     mirror, paint({0.90, 0.48, 0.02}, 0.08, 90),  paint({0.02, 0.20, 0.30}, 0.14, 90)};
   Chair chair = make_chair();
   chair.frame.material = 1;
   chair.seat.material = 2;
   scene.meshes = {make_backdrop(), std::move(chair.frame), std::move(chair.seat)};
-  scene.spheres = {{{0.62, 0.26, 0.02}, 0.26, 3}, {{-0.44, 0.12, 0.38}, 0.12, 4}, {{0.24, 0.085, 0.56}, 0.085, 5}};
+  scene.spheres = {
+      {{0.62, 0.26, 0.02}, 0.26, 3}, {{-0.44, 0.12, 0.38}, 0.12, 4}, {{0.24, 0.085, 0.56}, 0.085, 5}};
   scene.background = {0.10, 0.13, 0.17};
   scene.camera = {.position = {-1.0, 1.15, 2.9}, .target = {0.12, 0.44, 0.0}, .half_angle = 0.235};
   scene.lights = light_dome(light_count, scene.camera.target, 5);

@@ -11,7 +11,9 @@ uint32_t append_vertex(Mesh& mesh, const Vec3d& p) {
   return static_cast<uint32_t>(mesh.vertices.size() - 1);
 }
 
-double power_keeping_sign(double x, double exponent) { return std::copysign(std::pow(std::abs(x), exponent), x); }
+double power_keeping_sign(double x, double exponent) {
+  return std::copysign(std::pow(std::abs(x), exponent), x);
+}
 
 /// The `around` corners of a superellipse (Lamé curve).
 uint32_t append_section(Mesh& mesh, const Section& s, int around) {

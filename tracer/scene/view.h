@@ -7,7 +7,8 @@
 namespace raysweep {
 
 /// Morozov 2011: `x = 2·px/width − 1`, `y = 1 − 2·py/height`, scaled by the field of view, direction
-/// `normalize(Cd + Cr·x + Cu·y)`. His third vector is called "left"; for x to grow rightwards it must point right.
+/// `normalize(Cd + Cr·x + Cu·y)`. His third vector is called "left"; for x to grow rightwards it must point
+/// right.
 template <class T>
 class View {
  public:

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "results/factors.h"
+#include "results/number_text.h"
+#include "results/tables.h"
+
+namespace raysweep {
+
+namespace {
+
+/// Rows that share everything but threads and mode.
+struct Group {
+  std::string name;
+  std::map<int, std::map<std::string, const CellRow*>> rows;  // by threads, by mode
+};
+
+/// "omp_static", with the other factors that vary: "omp_static-chunk4".
+std::string group_name(const CellRow& row, const std::vector<FactorText>& varying) {
+  std::string name = row.cell.scheduler;
+  for (const FactorText& f : varying) {
+    if (f.name == "scheduler" || f.name == "mode" || f.name == "threads" || f.text(row.cell) == "-") continue;
+    name += fmt::format("-{}{}", f.name, f.text(row.cell));
+  }
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == ':' || c == ' '; }, '_');  // it names a file
+  return name;
+}
+
+std::vector<Group> group_rows(const std::vector<CellRow>& rows) {
+  const auto varying = varying_factors(rows);
+  std::vector<Group> groups;
+  for (const CellRow& row : rows) {
+    const std::string name = group_name(row, varying);
+    auto group = std::ranges::find(groups, name, &Group::name);
+    if (group == groups.end()) group = groups.insert(group, Group{name, {}});
+    group->rows[row.cell.threads][row.cell.mode] = &row;
+  }
+  return groups;
+}
+
+ModeTable make_table(const char* quantity, std::optional<Estimate> CellRow::*value, const Group& group,
+                     const std::vector<std::string>& modes) {
+  ModeTable made{fmt::format("{}-{}", quantity, group.name), {}};
+  made.table.caption = fmt::format("{} of {}", quantity, group.name);
+  made.table.columns.push_back({"threads"});
+  for (const std::string& mode : modes) made.table.columns.push_back({mode});
+  for (const auto& [threads, by_mode] : group.rows) {
+    std::vector<std::string> cells{std::to_string(threads)};
+    for (const std::string& mode : modes) {
+      const auto found = by_mode.find(mode);
+      const bool known = found != by_mode.end() && (found->second->*value).has_value();
+      cells.push_back(known ? significant((found->second->*value)->value) : "");
+    }
+    made.table.rows.push_back(std::move(cells));
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<ModeTable> mode_tables(const std::vector<CellRow>& rows) {
+  std::vector<std::string> modes;
+  for (const CellRow& row : rows) {
+    if (std::ranges::find(modes, row.cell.mode) == modes.end()) modes.push_back(row.cell.mode);
+  }
+  std::vector<ModeTable> tables;
+  if (modes.size() < 2) return tables;
+  for (const Group& group : group_rows(rows)) {
+    tables.push_back(make_table("fps", &CellRow::fps, group, modes));
+    tables.push_back(make_table("speedup", &CellRow::speedup, group, modes));
+  }
+  return tables;
+}
+
+}  // namespace raysweep

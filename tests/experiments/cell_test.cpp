@@ -1,0 +1,117 @@
+#include "experiments/cell.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/cell_factors.h"
+#include "experiments/errors.h"
+#include "experiments/item.h"
+
+namespace raysweep {
+namespace {
+
+std::string problem(const char* factor, const std::string& value) {
+  Cell cell;
+  return find_factor(factor)->set(cell, value);
+}
+
+TEST(cell, goes_to_a_launch_and_comes_back) {
+  Cell cell;
+  set_mode(cell, "very_hard");
+  set_factor(cell, *find_factor("scheduler"), "thread_chunks");
+  set_factor(cell, *find_factor("chunk"), "3/thread");
+  set_factor(cell, *find_factor("threads"), "5");
+  set_factor(cell, *find_factor("item"), "tiles:32");
+  cell.processes = 2;
+  const Cell back = cell_from_json(to_json(cell));
+  EXPECT_EQ(back.key(), cell.key());
+  EXPECT_EQ(back.settings.width, 1920);
+  EXPECT_EQ(back.lights, 2);
+}
+
+TEST(cell, every_factor_is_in_the_key) {
+  const std::pair<const char*, const char*> others[] = {
+      {"scene", "studio"},   {"width", "7"},    {"height", "7"},       {"subpixels", "7"},
+      {"pattern", "circle"}, {"depth", "7"},    {"lights", "7"},       {"accel", "none"},
+      {"leaf", "7"},         {"core", "m11"},   {"method", "morozov"}, {"precision", "double"},
+      {"threads", "7"},      {"item", "tiles"}, {"chunk", "7"},        {"scheduler", "thread_cyclic"}};
+  EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "pin has one value only";
+  for (const auto& [name, value] : others) {
+    Cell a, b;
+    a.scheduler = b.scheduler = "thread_dynamic";
+    set_factor(b, *find_factor(name), value);
+    EXPECT_NE(a.key(), b.key()) << name;
+  }
+}
+
+TEST(cell, ignored_factors_collapse) {
+  Cell a, b;
+  b.threads = 5;
+  b.chunk.value = 9;
+  collapse_ignored_factors(b);
+  EXPECT_EQ(a.key(), b.key()) << "serial has neither threads nor chunks";
+}
+
+TEST(cell, pictures_do_not_depend_on_scheduling_or_hierarchy) {
+  Cell a, b;
+  b.scheduler = "thread_static";
+  b.threads = 4;
+  b.item = "tiles";
+  b.settings.accel = "median";
+  b.settings.leaf = 64;
+  EXPECT_EQ(a.picture_key(), b.picture_key());
+  b.settings.core = "m11";
+  EXPECT_NE(a.picture_key(), b.picture_key());
+}
+
+TEST(factors, refuse_by_a_sentence_with_what_is_possible) {
+  EXPECT_EQ(problem("threads", "0"),
+            "threads = 0 is out of range: a whole number from 1 to 1024 is possible");
+  EXPECT_EQ(problem("threads", "-1"),
+            "threads = -1 is out of range: a whole number from 1 to 1024 is possible");
+  EXPECT_EQ(problem("threads", "1000000000"),
+            "threads = 1000000000 is out of range: a whole number from 1 to 1024 is possible");
+  EXPECT_EQ(problem("threads", "99999999999999999999"),
+            "threads = 99999999999999999999 is not a whole number in range: a whole number from 1 to 1024 is "
+            "possible");
+  EXPECT_EQ(problem("width", "0"), "width = 0 is out of range: a whole number from 1 to 32768 is possible");
+  EXPECT_EQ(problem("depth", "4x"),
+            "depth = 4x is not a whole number in range: a whole number from 1 to 1024 is possible");
+  EXPECT_EQ(problem("accel", "kd"), "unknown accel \"kd\"; possible: sah, median, none");
+  EXPECT_EQ(problem("pattern", "ring"), "unknown pattern \"ring\"; possible: grid, circle");
+  EXPECT_EQ(problem("item", "tiles:0"),
+            "unknown item \"tiles:0\"; possible: rows, tiles, tiles:SIDE with a side from 1 to 1024");
+  EXPECT_EQ(problem("chunk", "0"),
+            "chunk = 0 is not possible: a count from 1 to 16777216, or \"COUNT/thread\"");
+  EXPECT_EQ(problem("pin", "cores"), "unknown pin \"cores\"; built here: none");
+  EXPECT_TRUE(problem("scheduler", "tbbb")
+                  .starts_with("unknown scheduler \"tbbb\"; built here: serial, thread_static"));
+}
+
+TEST(modes, are_the_published_ones) {
+  EXPECT_THROW(
+      {
+        Cell cell;
+        set_mode(cell, "easy");
+      },
+      RequestError);
+  Cell cell;
+  set_mode(cell, "hard");
+  EXPECT_EQ(cell.settings.width, 1024);
+  EXPECT_EQ(cell.settings.height, 768);
+  EXPECT_EQ(cell.settings.subpixels, 3);
+  EXPECT_EQ(cell.settings.depth, 4);
+  EXPECT_EQ(cell.lights, 2);
+}
+
+TEST(item, shapes_are_read_whole) {
+  EXPECT_EQ(parse_item("rows")->kind, ItemShape::Kind::rows);
+  EXPECT_EQ(parse_item("tiles")->side, 16);
+  EXPECT_EQ(parse_item("tiles:8")->side, 8);
+  for (const char* bad : {"", "row", "tiles:", "tiles:x", "tiles:8x", "tiles:-1", "tiles:1025"})
+    EXPECT_FALSE(parse_item(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace raysweep

@@ -1,0 +1,98 @@
+// One picture, whoever shares it out and however.
+#include <gtest/gtest.h>
+
+#include "experiments/render_job.h"
+#include "schedulers/registry.h"
+
+namespace raysweep {
+namespace {
+
+std::vector<std::string> available() {
+  std::vector<std::string> names;
+  for (const SchedulerInfo& info : all_schedulers()) {
+    if (why_unavailable(info.family).empty()) names.emplace_back(info.name);
+  }
+  return names;
+}
+
+class Pictures : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(registry, Pictures, testing::ValuesIn(available()),
+                         [](const auto& i) { return i.param; });
+
+Cell small_cell() {
+  Cell cell;
+  cell.settings.width = 40;
+  cell.settings.height = 30;
+  cell.settings.subpixels = 2;
+  cell.lights = 2;
+  return cell;
+}
+
+std::string picture(const Cell& cell, RayCounts* rays = nullptr) {
+  RenderJob job(cell);
+  job.frame();
+  if (rays) *rays = job.rays();
+  return job.film().hash();
+}
+
+TEST_P(Pictures, one_hash_for_all_threads_chunks_and_items) {
+  for (const Choice& core : cores()) {
+    for (const Choice& precision : precisions()) {
+      Cell cell = small_cell();
+      cell.settings.core = core.name;
+      cell.settings.precision = precision.name;
+      RayCounts expected_rays;
+      const std::string expected = picture(cell, &expected_rays);
+      cell.scheduler = GetParam();
+      for (const int threads : {1, 2, 3, 7}) {
+        for (const int chunk : {1, 16}) {
+          for (const char* item : {"rows", "tiles", "tiles:7"}) {
+            cell.threads = threads;
+            cell.chunk.value = chunk;
+            cell.item = item;
+            collapse_ignored_factors(cell);
+            RayCounts rays;
+            EXPECT_EQ(picture(cell, &rays), expected) << cell.key();
+            EXPECT_EQ(rays, expected_rays) << cell.key();
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Pictures, a_second_frame_is_the_first_one) {
+  Cell cell = small_cell();
+  cell.scheduler = GetParam();
+  cell.threads = 3;
+  collapse_ignored_factors(cell);
+  RenderJob job(cell);
+  job.frame();
+  const std::string first = job.film().hash();
+  const RayCounts rays = job.rays();
+  job.reset_counts();
+  job.frame();
+  EXPECT_EQ(job.film().hash(), first);
+  EXPECT_EQ(job.rays(), rays);
+}
+
+TEST_P(Pictures, every_depth_to_1024_renders_on_the_workers_stacks) {
+  for (const Choice& core : cores()) {
+    Cell cell = small_cell();
+    cell.settings.core = core.name;
+    for (const int depth : {1, 2, 64, 1024}) {
+      cell.settings.depth = depth;
+      cell.scheduler = "serial";
+      cell.threads = 1;
+      RayCounts rays;
+      const std::string expected = picture(cell, &rays);
+      cell.scheduler = GetParam();
+      cell.threads = 3;
+      collapse_ignored_factors(cell);
+      EXPECT_EQ(picture(cell), expected) << depth;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raysweep

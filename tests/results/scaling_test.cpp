@@ -1,0 +1,121 @@
+#include "results/scaling.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "results/tables.h"
+#include "tests/results/make_record.h"
+
+namespace raysweep {
+namespace {
+
+/// Seven rounds in which the machine gets slower and slower: ratios within a round stay what they are.
+std::vector<Record> drifting_run() {
+  std::vector<Record> records;
+  for (int round = 0; round < 7; ++round) {
+    const double slow = 1 + 0.1 * round;
+    records.push_back(make_record("serial", 1, round, 1.0 * slow));
+    records.push_back(make_record("omp_static", 1, round, 1.25 * slow));
+    records.push_back(make_record("omp_static", 2, round, 0.625 * slow));
+    records.push_back(make_record("omp_static", 8, round, 0.5 * slow));
+    records.push_back(make_record("serial", 1, round, 1.25 * slow, 2));
+    records.push_back(make_record("serial", 1, round, 2.0 * slow, 4));
+  }
+  return records;
+}
+
+const std::vector<std::string> order{"serial1x1",     "omp_static1x1", "omp_static2x1",
+                                     "omp_static8x1", "serial1x2",     "serial1x4"};
+
+TEST(scaling, speedups_name_their_base_and_are_paired_within_rounds) {
+  const auto rows = summarise(drifting_run(), order, 0.5);
+  ASSERT_EQ(rows.size(), 4u) << "co-run cells serve others";
+  const CellRow& two = rows[2];
+  EXPECT_NEAR(two.speedup->value, 1.6, 1e-12);
+  EXPECT_NEAR(two.speedup->interval->low, 1.6, 1e-12) << "drift must cancel";
+  EXPECT_NEAR(two.speedup->interval->high, 1.6, 1e-12);
+  EXPECT_NEAR(two.speedup_one->value, 2, 1e-12);
+  EXPECT_NEAR(*two.efficiency, 0.8, 1e-12);
+  EXPECT_NEAR(*two.core_efficiency, 0.8, 1e-12);
+}
+
+TEST(scaling, the_ceiling_is_what_co_running_processes_reach) {
+  const auto rows = summarise(drifting_run(), order, 0.5);
+  EXPECT_NEAR(rows[2].ceiling->value, 1.6, 1e-12);
+  EXPECT_NEAR(rows[2].of_ceiling->value, 1.0, 1e-12);
+  EXPECT_FALSE(rows[1].ceiling) << "one thread has no ceiling to speak of";
+}
+
+TEST(scaling, more_threads_than_processors_are_oversubscribed_and_share_the_cores) {
+  const auto rows = summarise(drifting_run(), order, 0.5);
+  EXPECT_FALSE(rows[2].oversubscribed);
+  const CellRow& eight = rows[3];
+  EXPECT_TRUE(eight.oversubscribed);
+  EXPECT_NEAR(eight.speedup->value, 2, 1e-12);
+  EXPECT_NEAR(*eight.efficiency, 0.25, 1e-12);
+  EXPECT_NEAR(*eight.core_efficiency, 1, 1e-12) << "two cores";
+  EXPECT_NEAR(eight.ceiling->value, 2, 1e-12) << "of four processes, one a processor";
+  EXPECT_EQ(eight.notes.front(), "oversubscribed");
+}
+
+TEST(scaling, few_launches_and_wide_intervals_are_noted) {
+  std::vector<Record> records;
+  for (int round = 0; round < 5; ++round) records.push_back(make_record("serial", 1, round, 1));
+  EXPECT_EQ(summarise(records, order, 0.02)[0].notes.back(), "no interval: fewer than 6 launches");
+  for (int round = 5; round < 9; ++round)
+    records.push_back(make_record("serial", 1, round, round % 2 ? 1.2 : 0.8));
+  const std::string note = summarise(records, order, 0.02)[0].notes.back();
+  EXPECT_TRUE(note.starts_with("not converged: ±")) << note;
+}
+
+TEST(scaling, void_launches_count_for_nothing_and_are_told) {
+  auto records = drifting_run();
+  records[2].valid = false;
+  records[2].reason = "picture differs";
+  const auto rows = summarise(records, order, 0.5);
+  EXPECT_EQ(rows[2].fps->count, 6);
+  EXPECT_EQ(rows[2].notes.front(), "1 of 7 launches void: picture differs");
+  for (Record& r : records) {
+    if (r.scheduler == "omp_static") r.valid = false;
+  }
+  const auto none = summarise(records, order, 0.5);
+  EXPECT_FALSE(none[2].fps) << "a void cell stays a row, without numbers";
+}
+
+TEST(scaling, fewer_threads_than_asked_are_told) {
+  auto records = drifting_run();
+  records[2].threads_seen = 1;
+  EXPECT_EQ(summarise(records, order, 0.5)[2].notes.front(), "1 of 2 threads ran");
+}
+
+TEST(tables, show_what_varies_and_mark_what_is_oversubscribed) {
+  const Table table = scaling_table(summarise(drifting_run(), order, 0.5), {"test", "title"});
+  EXPECT_EQ(table.columns[0].title, "scheduler");
+  EXPECT_EQ(table.columns[1].title, "threads") << "chunk has one value only, and serial none";
+  EXPECT_NE(table.caption.find("scene scene · mode hard"), std::string::npos) << table.caption;
+  EXPECT_EQ(table.rows.size(), 4u);
+  EXPECT_EQ(table.rows[3].back(), "oversubscribed");
+}
+
+TEST(tables, modes_become_columns_as_in_the_published_tables) {
+  auto records = drifting_run();
+  const size_t count = records.size();
+  for (size_t i = 0; i < count; ++i) {
+    Record r = records[i];
+    r.mode = "low";
+    r.cell += "low";
+    r.frame_seconds = {{r.frame_seconds[0][0] / 10}};
+    records.push_back(r);
+  }
+  auto both = order;
+  for (const std::string& cell : order) both.push_back(cell + "low");
+  const auto tables = mode_tables(summarise(records, both, 0.5));
+  const auto fps = std::ranges::find(tables, "fps-omp_static", &ModeTable::name);
+  ASSERT_NE(fps, tables.end());
+  EXPECT_EQ(to_csv(fps->table), "threads,hard,low\n1,0.615,6.154\n2,1.231,12.31\n8,1.538,15.38\n");
+  EXPECT_TRUE(mode_tables(summarise(drifting_run(), order, 0.5)).empty()) << "one mode needs no such table";
+}
+
+}  // namespace
+}  // namespace raysweep

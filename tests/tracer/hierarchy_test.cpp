@@ -1,0 +1,129 @@
+#include "tracer/accel/hierarchy.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+#include <set>
+
+#include "tracer/accel/build_by_name.h"
+
+namespace raysweep {
+namespace {
+
+Box<float> box_at(float x, float y, float z, float size = 0.01f) {
+  Box<float> box;
+  box.include({x, y, z});
+  box.include({x + size, y + size, z + size});
+  return box;
+}
+
+std::vector<Box<float>> scattered(int count) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  std::vector<Box<float>> items;
+  for (int i = 0; i < count; ++i) items.push_back(box_at(uniform(random), uniform(random), uniform(random)));
+  return items;
+}
+
+bool encloses(const Box<float>& outer, const Box<float>& inner) {
+  return min(outer.lower(), inner.lower()) == outer.lower() &&
+         max(outer.upper(), inner.upper()) == outer.upper();
+}
+
+/// Visits every node; returns the greatest depth. Checks that boxes enclose what is below them.
+int check(const Hierarchy<float>& tree, const std::vector<Box<float>>& items) {
+  std::multiset<uint32_t> seen;
+  const std::function<int(uint32_t)> visit = [&](uint32_t index) -> int {
+    const Node<float>& node = tree.nodes[index];
+    if (node.is_leaf()) {
+      for (uint32_t i = node.first; i < node.first + node.count; ++i) {
+        seen.insert(tree.order[i]);
+        EXPECT_TRUE(encloses(node.box, items[tree.order[i]]));
+      }
+      return 0;
+    }
+    for (const uint32_t child : {node.first, node.first + 1})
+      EXPECT_TRUE(encloses(node.box, tree.nodes[child].box));
+    return 1 + std::max(visit(node.first), visit(node.first + 1));
+  };
+  const int depth = visit(0);
+  EXPECT_EQ(seen.size(), items.size());
+  EXPECT_EQ(std::set<uint32_t>(seen.begin(), seen.end()).size(), items.size())
+      << "an item stands in two leaves";
+  EXPECT_LE(depth, max_hierarchy_depth);
+  return depth;
+}
+
+uint32_t largest_leaf(const Hierarchy<float>& tree) {
+  uint32_t largest = 0;
+  for (const Node<float>& node : tree.nodes) largest = std::max(largest, node.count);
+  return largest;
+}
+
+class Builder : public testing::TestWithParam<const char*> {
+ public:
+  static Hierarchy<float> build(const std::vector<Box<float>>& items, int leaf_size) {
+    return build_by_name<float>(GetParam(), items, leaf_size);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(all, Builder, testing::Values("median", "sah"),
+                         [](const auto& info) { return info.param; });
+
+TEST_P(Builder, every_item_is_in_one_leaf_inside_its_boxes) {
+  for (const int count : {1, 2, 3, 10, 1000}) {
+    for (const int leaf_size : {1, 4, 17, 5000}) {
+      const auto items = scattered(count);
+      const auto tree = build(items, leaf_size);
+      check(tree, items);
+      EXPECT_LE(largest_leaf(tree), static_cast<uint32_t>(leaf_size));
+    }
+  }
+}
+
+TEST_P(Builder, no_items_make_no_nodes) { EXPECT_TRUE(build({}, 4).nodes.empty()); }
+
+TEST_P(Builder, items_with_one_centre_end_in_one_leaf) {
+  const std::vector<Box<float>> items(100, box_at(1, 2, 3));
+  const auto tree = build(items, 4);
+  EXPECT_EQ(tree.nodes.size(), 1u);
+  check(tree, items);
+}
+
+TEST_P(Builder, a_cascade_of_ever_smaller_items_stays_within_the_depth_bound) {
+  std::vector<Box<float>> items;
+  for (int i = 0; i < 3000; ++i) {
+    const float at = std::ldexp(1.0f, -(i % 120)) * (1 + static_cast<float>(i) * 1e-4f);
+    items.push_back(box_at(at, at * 0.5f, at * 0.25f, 0));
+  }
+  check(build(items, 1), items);
+}
+
+TEST(median, one_leaf_holds_the_scene_when_it_may) {
+  const auto tree = build_median<float>(scattered(1000), 1000);
+  EXPECT_EQ(tree.nodes.size(), 1u);
+}
+
+TEST(median, the_longest_axis_is_halved_in_the_middle_of_the_box) {
+  // Nine items near x = 0 and one at x = 10: the middle at x = 5 separates nine from one.
+  std::vector<Box<float>> items;
+  for (int i = 0; i < 9; ++i) items.push_back(box_at(0.1f * static_cast<float>(i), 0, 0));
+  items.push_back(box_at(10, 0, 0));
+  const auto tree = build_median<float>(items, 9);
+  ASSERT_EQ(tree.nodes.size(), 3u);
+  EXPECT_EQ(tree.nodes[1].count, 9u);
+  EXPECT_EQ(tree.nodes[2].count, 1u);
+}
+
+TEST(sah, splits_a_leaf_that_may_stay_whole_where_that_is_cheaper) {
+  // Two far clusters: one node of 8 costs 8 tests, two of 4 cost about 4.
+  std::vector<Box<float>> items;
+  for (int i = 0; i < 4; ++i) {
+    items.push_back(box_at(0.02f * static_cast<float>(i), 0, 0));
+    items.push_back(box_at(100 + 0.02f * static_cast<float>(i), 0, 0));
+  }
+  EXPECT_LE(largest_leaf(build_sah<float>(items, 8)), 4u);
+}
+
+}  // namespace
+}  // namespace raysweep

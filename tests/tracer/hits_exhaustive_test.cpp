@@ -1,0 +1,40 @@
+// Brute force and both hierarchies give the same hits on a million rays of each kind on each scene.
+#include <gtest/gtest.h>
+
+#include "tests/tracer/hit_rays.h"
+#include "tracer/intersect/all.h"
+#include "tracer/scene/scenes.h"
+
+namespace raysweep {
+namespace {
+
+constexpr size_t ray_count = 1'000'000;
+
+class Exhaustive : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+INSTANTIATE_TEST_SUITE_P(hits, Exhaustive,
+                         testing::Combine(testing::Values("chair-ball", "studio"),
+                                          testing::Values("primary", "shadow", "reflected")),
+                         [](const auto& info) {
+                           std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+TEST(exhaustive, covers_every_scene) { EXPECT_EQ(built_in_scenes().size(), 2u) << "add the new scene above"; }
+
+TEST_P(Exhaustive, a_million_rays_agree) {
+  const auto& [name, kind] = GetParam();
+  const Scene scene = load_scene(name, 2);
+  using Core = ScalarCore<float, MollerTrumbore>;
+  const Core oracle(scene, "none", 1), median(scene, "median", 4), sah(scene, "sah", 4);
+  size_t differences = 0;
+  for (const auto& ray : make_rays<float>(scene, sah, kind, ray_count)) {
+    // The hierarchies are cheap: comparing them first spares no brute force, but each ray needs it only once.
+    differences += !answers_agree(oracle, sah, ray);
+    differences += !answers_agree(sah, median, ray);
+  }
+  EXPECT_EQ(differences, 0u);
+}
+
+}  // namespace
+}  // namespace raysweep
