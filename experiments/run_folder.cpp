@@ -93,10 +93,7 @@ void RunFolder::lock() {
 
 void RunFolder::take_up(const Config& config, const Plan& plan, bool resume) {
   const fs::path records = path_ / "records.jsonl";
-  if (!fs::exists(records)) {
-    if (resume && fs::exists(path_ / "plan.json")) resume = false;  // stopped before its first launch
-    return;
-  }
+  if (!fs::exists(records)) return;
   if (!resume) {
     throw RequestError(
         fmt::format("{}: holds a run already; go on with it by --resume, or choose another folder with --out",

@@ -38,11 +38,11 @@ void check_out(const std::string& out) {
   if (!writable) throw RequestError(fmt::format("--out {}: cannot be written; choose another place", out));
 }
 
-Cell make_cell(const RenderOptions& options) {
+Cell make_cell(const RenderOptions& options, int pus) {
   Cell cell;
   cell.scheduler = "thread_dynamic";
   cell.item = "tiles";
-  cell.threads = std::min(detect_machine().pus, max_threads);
+  cell.threads = std::min(pus, max_threads);
   if (!options.mode.empty()) set_mode(cell, options.mode);
   for (const CellFactor& factor : cell_factors()) {
     const auto given = options.factors.find(std::string(factor.name));
@@ -75,7 +75,10 @@ nlohmann::json describe(const Cell& cell, const RenderJob& job, double seconds, 
 
 int run(const RenderOptions& options, bool json) {
   check_out(options.out);
-  const Cell cell = make_cell(options);
+  const int pus = detect_machine().pus;
+  const Cell cell = make_cell(options, pus);
+  if (cell.threads > pus)
+    fmt::print(stderr, "note: {} threads on {} processors: oversubscribed\n", cell.threads, pus);
   RenderJob job(cell);
   const double begin = now_seconds();
   for (int i = 0; i < options.frames; ++i) job.frame();

@@ -107,6 +107,8 @@ int run_one(const Config& config, const Machine& machine, const RunOptions& opti
 }
 
 int run(const RunOptions& options, bool as_json) {
+  if (options.resume && options.out.empty())
+    throw RequestError("--resume goes on with the run in --out: name its folder");
   const Machine machine = detect_machine();
   std::vector<Config> configs;
   std::string errors;

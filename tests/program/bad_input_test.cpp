@@ -133,6 +133,8 @@ TEST_F(BadInput, an_output_that_cannot_be_written) {
 TEST_F(BadInput, experiments_and_runs_that_are_not_there) {
   expect_refused({"run", folder.file("none.toml")}, "no such experiment: name a TOML file");
   expect_refused({"report", folder.file("none")}, "no run is here");
+  expect_refused({"run", folder.write("sweep.toml", "experiment = \"x\"\n"), "--resume"},
+                 "--resume goes on with the run in --out");
 }
 
 TEST_F(BadInput, every_config_is_checked_before_anything_runs) {

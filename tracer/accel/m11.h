@@ -28,6 +28,9 @@ class M11Core {
     }
   }
 
+  M11Core(const M11Core&) = delete;  // objects point into it
+  M11Core& operator=(const M11Core&) = delete;
+
   [[nodiscard]] const Primitives<T, Method>& primitives() const { return primitives_; }
 
   /// The nearest hit with t > 0.

@@ -127,7 +127,7 @@ Chair make_chair() {
   constexpr int cells = 40;
   chair.seat.name = "woven seat";
   append_sheet(
-      chair.seat, [](double u, double v) { return weave(u, v, cells); }, cells);
+      chair.seat, [](double u, double v) { return weave(u, v, cells); }, cells, cells);
   return chair;
 }
 

@@ -13,7 +13,7 @@ namespace {
 Mesh make_backdrop() {
   constexpr double half_width = 12, front = 8, bend_at = -2.2, radius = 2, height = 8;
   constexpr double floor_length = front - bend_at, bend_length = radius * std::numbers::pi / 2;
-  constexpr int cells = 24;
+  constexpr int across = 3, along = 100;
   Mesh mesh;
   mesh.name = "backdrop";
   append_sheet(
@@ -26,7 +26,7 @@ Mesh make_backdrop() {
         const double angle = (v - 0.1) / 0.8 * bend_length / radius;
         return Vec3d(x, radius - radius * std::cos(angle), bend_at - radius * std::sin(angle));
       },
-      cells);
+      across, along);
   return mesh;
 }
 
@@ -46,7 +46,7 @@ Material paint(const Colour& colour, double k_reflect, double exponent) {
 Scene make_studio(int light_count) {
   Scene scene;
   scene.name = "studio";
-  Material sweep = paint({0.30, 0.36, 0.42}, 0.10, 20);
+  Material sweep = paint({0.17, 0.22, 0.28}, 0.14, 20);
   sweep.k_specular = 0;
   Material mirror = paint({0.05, 0.05, 0.06}, 0.88, 200);
   mirror.k_specular = 1;
@@ -58,8 +58,8 @@ Scene make_studio(int light_count) {
   scene.meshes = {make_backdrop(), std::move(chair.frame), std::move(chair.seat)};
   scene.spheres = {
       {{0.62, 0.26, 0.02}, 0.26, 3}, {{-0.44, 0.12, 0.38}, 0.12, 4}, {{0.24, 0.085, 0.56}, 0.085, 5}};
-  scene.background = {0.10, 0.13, 0.17};
-  scene.camera = {.position = {-1.0, 1.15, 2.9}, .target = {0.12, 0.44, 0.0}, .half_angle = 0.235};
+  scene.background = {0.06, 0.08, 0.11};
+  scene.camera = {.position = {-1.0, 1.15, 2.9}, .target = {0.10, 0.44, 0.0}, .half_angle = 0.22};
   scene.lights = light_dome(light_count, scene.camera.target, 5);
   return scene;
 }

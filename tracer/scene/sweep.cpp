@@ -73,16 +73,17 @@ void append_ring(Mesh& mesh, const Path& path, int around, int along) {
   append_band(mesh, previous, first, around);
 }
 
-void append_sheet(Mesh& mesh, const std::function<Vec3d(double u, double v)>& point, int cells) {
+void append_sheet(Mesh& mesh, const std::function<Vec3d(double u, double v)>& point, int across, int along) {
   const auto first = static_cast<uint32_t>(mesh.vertices.size());
-  for (int j = 0; j <= cells; ++j) {
-    for (int i = 0; i <= cells; ++i) {
-      append_vertex(mesh, point(static_cast<double>(i) / cells, static_cast<double>(j) / cells));
+  for (int j = 0; j <= along; ++j) {
+    for (int i = 0; i <= across; ++i) {
+      append_vertex(mesh, point(static_cast<double>(i) / across, static_cast<double>(j) / along));
     }
   }
-  const auto stride = static_cast<uint32_t>(cells + 1);
-  for (uint32_t j = 0; j + 1 < stride; ++j) {
-    for (uint32_t i = 0; i + 1 < stride; ++i) {
+  const auto columns = static_cast<uint32_t>(across), rows = static_cast<uint32_t>(along),
+             stride = columns + 1;
+  for (uint32_t j = 0; j < rows; ++j) {
+    for (uint32_t i = 0; i < columns; ++i) {
       const uint32_t a = first + j * stride + i;
       if (i == 0 && j == 0) {
         mesh.triangles.push_back({a + 1, a + 1 + stride, a + stride});

@@ -22,8 +22,8 @@ void append_tube(Mesh& mesh, const Path& path, int around, int along);
 /// Appends a closed ring, `path(0) = path(1)`: `2·around·along` triangles, closed.
 void append_ring(Mesh& mesh, const Path& path, int around, int along);
 
-/// Appends the open sheet `point(u, v)`, `cells × cells` quads without one corner triangle: `2·cells² − 1`
-/// triangles.
-void append_sheet(Mesh& mesh, const std::function<Vec3d(double u, double v)>& point, int cells);
+/// Appends the open sheet `point(u, v)`, `across × along` quads without one corner triangle:
+/// `2·across·along − 1` triangles.
+void append_sheet(Mesh& mesh, const std::function<Vec3d(double u, double v)>& point, int across, int along);
 
 }  // namespace raysweep
