@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "experiments/cell_record.h"
 #include "experiments/clock.h"
 #include "experiments/render_job.h"
 #include "schedulers/registry.h"
@@ -11,35 +12,6 @@ namespace raysweep {
 namespace {
 
 constexpr double warmup_seconds = 0.05;
-
-Record describe(const Cell& cell) {
-  const SchedulerInfo& info = *find_scheduler(cell.scheduler);
-  Record r;
-  r.cell = cell.key();
-  r.scene = cell.scene;
-  r.mode = cell.mode;
-  r.width = cell.settings.width;
-  r.height = cell.settings.height;
-  r.subpixels = cell.settings.subpixels;
-  r.pattern = cell.settings.pattern;
-  r.depth = cell.settings.depth;
-  r.lights = cell.lights;
-  r.accel = cell.settings.accel;
-  r.leaf = cell.settings.leaf;
-  r.core = cell.settings.core;
-  r.isa = "baseline";
-  r.method = cell.settings.method;
-  r.precision = cell.settings.precision;
-  r.scheduler = cell.scheduler;
-  r.runtime = runtime_of(info.family);
-  r.item = cell.item;
-  r.threads = cell.threads;
-  r.chunk = cell.chunk_text();
-  r.pin = cell.pin;
-  r.uses_threads = info.uses_threads;
-  r.uses_chunk = info.uses_chunk;
-  return r;
-}
 
 double timed_frame(RenderJob& job) {
   const double begin = now_seconds();
@@ -78,7 +50,8 @@ void fill_in(const RenderJob& job, Record& record) {
 
 void run_launch(const Cell& cell, const LaunchOptions& options) {
   RenderJob job(cell);
-  Record record = describe(cell);
+  Record record = record_of(cell);
+  record.runtime = runtime_of(find_scheduler(cell.scheduler)->family);
   std::vector<double>& frames = record.frame_seconds.emplace_back();
   if (options.timed) warm_up(job, find_scheduler(cell.scheduler)->warmup_runs, record);
   job.reset_counts();

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "experiments/cell_factors.h"
+#include "experiments/cell_record.h"
 
 namespace raysweep {
 
@@ -96,8 +97,12 @@ nlohmann::json to_json(const Plan& plan) {
                       {"interval", plan.interval},
                       {"seed", plan.seed},
                       {"rounds", plan.rounds}};
-  for (const PlannedCell& planned : plan.cells)
-    json["cells"].push_back({{"key", planned.key}, {"asked", planned.asked}});
+  for (const PlannedCell& planned : plan.cells) {
+    Record blank = record_of(planned.cell);
+    blank.experiment = plan.experiment;
+    blank.asked = planned.asked;
+    json["cells"].push_back(to_json(blank));
+  }
   for (int round = 0; round < plan.rounds; ++round) json["order"].push_back(plan.order(round));
   return json;
 }

@@ -32,7 +32,7 @@ struct Plan {
 
 [[nodiscard]] Plan make_plan(const Config& config, const MachineSize& machine);
 
-/// plan.json: every cell, in order, with the seed and each round's order.
+/// plan.json: every cell, in order, as a record without measurements; the seed and each round's order.
 [[nodiscard]] nlohmann::json to_json(const Plan& plan);
 
 }  // namespace raysweep

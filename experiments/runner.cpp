@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "experiments/cell_record.h"
 #include "experiments/errors.h"
 #include "experiments/progress.h"
 
@@ -68,17 +69,9 @@ class Runner {
     return references_[key] = outcome.record->image_hash;
   }
 
-  /// A record that stands for a launch without one: everything that tables group by.
-  Record stand_in(const PlannedCell& planned, const std::string& reason) const {
-    Record r;
-    r.cell = planned.key;
-    r.scene = planned.cell.scene;
-    r.mode = planned.cell.mode;
-    r.scheduler = planned.cell.scheduler;
-    r.threads = r.threads_seen = planned.cell.threads;
-    r.item = planned.cell.item;
-    r.chunk = planned.cell.chunk_text();
-    r.processes = planned.cell.processes;
+  /// Stands for a launch that left no record.
+  static Record void_record(const Cell& cell, const std::string& reason) {
+    Record r = record_of(cell);
     r.valid = false;
     r.reason = reason;
     return r;
@@ -91,7 +84,7 @@ class Runner {
     const MachineRecord machine = machine_record(machine_);
     LaunchOutcome outcome = tools_.launcher.launch(planned.cell, config_.measure.seconds);
     if (outcome.interrupted) return false;
-    Record record = outcome.record ? std::move(*outcome.record) : stand_in(planned, outcome.failure);
+    Record record = outcome.record ? std::move(*outcome.record) : void_record(planned.cell, outcome.failure);
     if (record.valid && record.image_hash != expected) {
       record.valid = false;
       record.reason = fmt::format("picture {} differs from the serial one, {}", record.image_hash, expected);

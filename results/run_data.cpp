@@ -15,11 +15,11 @@ RunData read_run(const std::filesystem::path& folder) {
         fmt::format("{}: no run is here: {} cannot be opened", folder.string(), plan_file.string()));
   try {
     const auto plan = nlohmann::json::parse(in);
-    std::vector<std::string> order;
-    for (const auto& cell : plan.at("cells")) order.push_back(cell.at("key").get<std::string>());
+    std::vector<Record> planned;
+    for (const auto& cell : plan.at("cells")) planned.push_back(record_from_json(cell));
     RunData run;
     run.context = {plan.at("experiment").get<std::string>(), plan.at("title").get<std::string>()};
-    run.rows = summarise(read_records(folder / "records.jsonl"), order, plan.at("interval").get<double>());
+    run.rows = summarise(read_records(folder / "records.jsonl"), planned, plan.at("interval").get<double>());
     return run;
   } catch (const nlohmann::json::exception& error) {
     throw RecordError(fmt::format("{}: not a plan: {}", plan_file.string(), error.what()));

@@ -37,6 +37,7 @@ std::optional<Estimate> ratio(const Rounds& of, const std::map<std::string, Roun
 
 void add_notes(CellRow& row, double interval_target) {
   const Record& r = row.cell;
+  if (row.launches == 0) row.notes.push_back("not measured: the run ended before its first launch");
   if (row.oversubscribed) row.notes.push_back("oversubscribed");
   if (row.void_launches > 0) {
     row.notes.push_back(fmt::format("{} of {} launches void: {}", row.void_launches, row.launches, r.reason));
@@ -52,18 +53,22 @@ void add_notes(CellRow& row, double interval_target) {
   }
 }
 
-CellRow make_row(const std::vector<const Record*>& launches, const std::map<std::string, Rounds>& all) {
+CellRow make_row(const Record& planned, const std::vector<const Record*>& launches,
+                 const std::map<std::string, Rounds>& all) {
+  const auto is_valid = [](const Record* r) { return r->valid; };
+  const auto valid = std::ranges::find_if(launches, is_valid);
+  const auto voided = std::ranges::find_if_not(launches, is_valid);
   CellRow row;
+  row.cell = valid != launches.end() ? **valid : planned;
   row.launches = static_cast<int>(launches.size());
-  const auto valid = std::ranges::find_if(launches, [](const Record* r) { return r->valid; });
-  const auto voided = std::ranges::find_if(launches, [](const Record* r) { return !r->valid; });
-  row.cell = valid != launches.end() ? **valid : *launches.front();
-  row.void_launches =
-      static_cast<int>(std::ranges::count_if(launches, [](const Record* r) { return !r->valid; }));
+  row.void_launches = row.launches - static_cast<int>(std::ranges::count_if(launches, is_valid));
   if (voided != launches.end()) row.cell.reason = (*voided)->reason;
-  for (const Record* r : launches) row.cell.threads_seen = std::min(row.cell.threads_seen, r->threads_seen);
+  if (!launches.empty()) row.cell.machine = launches.front()->machine;
+  for (const Record* r : launches) {
+    if (r->valid) row.cell.threads_seen = std::min(row.cell.threads_seen, r->threads_seen);
+  }
   const Record& r = row.cell;
-  row.oversubscribed = r.threads > r.machine.pus;
+  row.oversubscribed = row.launches > 0 && r.threads > r.machine.pus;
   const auto own = all.find(own_key(r));
   if (own == all.end()) return row;
 
@@ -89,7 +94,7 @@ CellRow make_row(const std::vector<const Record*>& launches, const std::map<std:
 
 }  // namespace
 
-std::vector<CellRow> summarise(const std::vector<Record>& records, const std::vector<std::string>& cell_order,
+std::vector<CellRow> summarise(const std::vector<Record>& records, const std::vector<Record>& planned,
                                double interval_target) {
   std::map<std::string, Rounds> all;
   std::map<std::string, std::vector<const Record*>> by_cell;
@@ -98,10 +103,9 @@ std::vector<CellRow> summarise(const std::vector<Record>& records, const std::ve
     if (r.valid) all[own_key(r)][r.round] = r.fps();
   }
   std::vector<CellRow> rows;
-  for (const std::string& cell : cell_order) {
-    const auto found = by_cell.find(cell);
-    if (found == by_cell.end() || found->second.front()->processes > 1) continue;
-    rows.push_back(make_row(found->second, all));
+  for (const Record& cell : planned) {
+    if (cell.processes > 1) continue;
+    rows.push_back(make_row(cell, by_cell[cell.cell], all));
     add_notes(rows.back(), interval_target);
   }
   return rows;

@@ -13,7 +13,7 @@ namespace raysweep {
 /// One cell of a run. Ratios are taken launch by launch within a round, where both sides were measured next
 /// to each other, and then summarised by their median.
 struct CellRow {
-  Record cell;  // the cell's first valid record, for its factors; the first one where none is valid
+  Record cell;  // the cell's first valid record, for its factors; without one, the planned cell
   int launches = 0, void_launches = 0;
   std::optional<Estimate> fps;            // none without a valid launch
   std::optional<Estimate> speedup;        // against `serial`, same picture and item shape
@@ -26,11 +26,10 @@ struct CellRow {
   std::vector<std::string> notes;
 };
 
-/// The rows of `records`, in order of first appearance in `cell_order` (cells without any record get no row).
-/// Co-run cells serve others and have no row of their own. `interval_target` is the relative half-width asked
-/// for.
+/// The rows of a run: one for each planned cell, in that order, whether it was launched or not. Co-run cells
+/// serve others and have no row of their own. `planned` are records without measurements; `interval_target`
+/// is the relative half-width asked for.
 [[nodiscard]] std::vector<CellRow> summarise(const std::vector<Record>& records,
-                                             const std::vector<std::string>& cell_order,
-                                             double interval_target);
+                                             const std::vector<Record>& planned, double interval_target);
 
 }  // namespace raysweep

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "results/factors.h"
@@ -42,8 +43,9 @@ Table scaling_table(const std::vector<CellRow>& rows, const TableContext& contex
   Table table;
   table.caption =
       fmt::format("{}: {}\n{}", context.experiment, context.title, constant_factors(rows, factors));
-  if (!rows.empty()) {
-    const MachineRecord& machine = rows.front().cell.machine;
+  const auto launched = std::ranges::find_if(rows, [](const CellRow& row) { return row.launches > 0; });
+  if (launched != rows.end()) {
+    const MachineRecord& machine = launched->cell.machine;
     table.caption += fmt::format(
         "\n{}: {}, {} cores, {} processors; brackets hold 95 % intervals of the median over launches",
         machine.host, machine.cpu, machine.cores, machine.pus);

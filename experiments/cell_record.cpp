@@ -1,0 +1,36 @@
+#include "experiments/cell_record.h"
+
+#include "schedulers/registry.h"
+
+namespace raysweep {
+
+Record record_of(const Cell& cell) {
+  const SchedulerInfo& info = *find_scheduler(cell.scheduler);
+  Record r;
+  r.cell = cell.key();
+  r.scene = cell.scene;
+  r.mode = cell.mode;
+  r.width = cell.settings.width;
+  r.height = cell.settings.height;
+  r.subpixels = cell.settings.subpixels;
+  r.pattern = cell.settings.pattern;
+  r.depth = cell.settings.depth;
+  r.lights = cell.lights;
+  r.accel = cell.settings.accel;
+  r.leaf = cell.settings.leaf;
+  r.core = cell.settings.core;
+  r.isa = "baseline";
+  r.method = cell.settings.method;
+  r.precision = cell.settings.precision;
+  r.scheduler = cell.scheduler;
+  r.item = cell.item;
+  r.threads = cell.threads;
+  r.processes = cell.processes;
+  r.chunk = cell.chunk_text();
+  r.pin = cell.pin;
+  r.uses_threads = info.uses_threads;
+  r.uses_chunk = info.uses_chunk;
+  return r;
+}
+
+}  // namespace raysweep
