@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "tests/program/program.h"
 
@@ -38,7 +39,12 @@ TEST(list, every_experiment_opens_with_its_question_and_is_valid) {
   for (const auto& experiment : json_of({"list", "experiments", "--json"})) {
     EXPECT_TRUE(experiment["summary"].get<std::string>().ends_with("?")) << experiment;
     const ProgramResult plan = run_program({"run", experiment["name"], "--dry-run"});
-    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    if (plan.exit_code == 0) continue;
+    // Where a package is missing, an experiment that needs it says so, and nothing else is wrong with it.
+    std::istringstream lines(plan.err);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_NE(line.find("cannot be used here: not built"), std::string::npos) << line;
+    }
   }
 }
 
