@@ -1,11 +1,8 @@
 #include "experiments/cell_record.h"
 
-#include "schedulers/registry.h"
-
 namespace raysweep {
 
 Record record_of(const Cell& cell) {
-  const SchedulerInfo& info = *find_scheduler(cell.scheduler);
   Record r;
   r.cell = cell.key();
   r.scene = cell.scene;
@@ -28,8 +25,6 @@ Record record_of(const Cell& cell) {
   r.processes = cell.processes;
   r.chunk = cell.chunk_text();
   r.pin = cell.pin;
-  r.uses_threads = info.uses_threads;
-  r.uses_chunk = info.uses_chunk;
   return r;
 }
 

@@ -6,7 +6,7 @@
 
 namespace raysweep {
 
-/// A record with the factors of `cell` and nothing measured. Its scheduler must be known.
+/// A record with the factors of `cell` and nothing measured.
 [[nodiscard]] Record record_of(const Cell& cell);
 
 }  // namespace raysweep

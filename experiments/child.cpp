@@ -20,6 +20,18 @@ namespace raysweep {
 
 namespace {
 
+struct Pipe {
+  FileDescriptor read, write;
+
+  bool open() {
+    std::array<int, 2> ends{-1, -1};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    read = FileDescriptor(ends[0]);
+    write = FileDescriptor(ends[1]);
+    return true;
+  }
+};
+
 /// What the child does between fork and exec; only async-signal-safe calls.
 [[noreturn]] void become(char* const* arguments, pid_t parent, int input, int output, int errors) {
   setpgid(0, 0);
@@ -40,20 +52,16 @@ Child::Child(std::vector<std::string> arguments) {
   std::vector<char*> raw;
   for (std::string& argument : arguments) raw.push_back(argument.data());
   raw.push_back(nullptr);
-  std::array<int, 2> in{-1, -1}, out{-1, -1};
-  errors_ = memfd_create("stderr", MFD_CLOEXEC);
-  const bool piped = errors_ >= 0 && pipe2(in.data(), O_CLOEXEC) == 0 && pipe2(out.data(), O_CLOEXEC) == 0;
+  Pipe in, out;
+  errors_ = FileDescriptor(memfd_create("stderr", MFD_CLOEXEC));
+  const bool piped = errors_.is_open() && in.open() && out.open();
   signal(SIGPIPE, SIG_IGN);  // a child that died is told by its end, not by killing us
   const pid_t parent = getpid();
   pid_ = piped ? fork() : -1;
-  if (pid_ == 0) become(raw.data(), parent, in[0], out[1], errors_);
-  const int error = errno;
-  for (const int unused : {in[0], out[1]}) {
-    if (unused >= 0) close(unused);
-  }
-  input_ = in[1];
-  output_ = out[0];
-  if (pid_ < 0) throw WorkError(fmt::format("no process can be started: {}", std::strerror(error)));
+  if (pid_ == 0) become(raw.data(), parent, in.read.get(), out.write.get(), errors_.get());
+  if (pid_ < 0) throw WorkError(fmt::format("no process can be started: {}", std::strerror(errno)));
+  input_ = std::move(in.write);
+  output_ = std::move(out.read);
 }
 
 Child::~Child() {
@@ -61,9 +69,6 @@ Child::~Child() {
     kill(pid_, SIGKILL);
     while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
-  }
-  for (const int file : {input_, output_, errors_}) {
-    if (file >= 0) close(file);
   }
 }
 
@@ -75,11 +80,11 @@ std::optional<std::string> Child::read_line() {
       return line;
     }
     // The time limit closes the gap between the check and the wait, in which a signal would go unseen.
-    pollfd ready{output_, POLLIN, 0};
+    pollfd ready{output_.get(), POLLIN, 0};
     if (interrupted()) return std::nullopt;
     if (poll(&ready, 1, 200) <= 0) continue;
     std::array<char, 65536> bytes;
-    const ssize_t count = read(output_, bytes.data(), bytes.size());
+    const ssize_t count = read(output_.get(), bytes.data(), bytes.size());
     if (count == 0 || (count < 0 && errno != EINTR)) return std::nullopt;
     if (count > 0) buffer_.append(bytes.data(), static_cast<size_t>(count));
   }
@@ -88,7 +93,7 @@ std::optional<std::string> Child::read_line() {
 void Child::write_line(const std::string& line) {
   const std::string text = line + "\n";
   // A failure means that the child is gone; reading from it tells how.
-  [[maybe_unused]] const ssize_t written = write(input_, text.data(), text.size());
+  [[maybe_unused]] const ssize_t written = write(input_.get(), text.data(), text.size());
 }
 
 std::string Child::how_it_ended() {
@@ -97,7 +102,7 @@ std::string Child::how_it_ended() {
   }
   pid_ = -1;
   std::array<char, 2000> text{};
-  const ssize_t count = pread(errors_, text.data(), text.size(), 0);
+  const ssize_t count = pread(errors_.get(), text.data(), text.size(), 0);
   std::string said(text.data(), static_cast<size_t>(std::max<ssize_t>(count, 0)));
   while (!said.empty() && said.back() == '\n') said.pop_back();
   if (WIFSIGNALED(status))

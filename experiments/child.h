@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/file_descriptor.h"
+
 namespace raysweep {
 
 /// Starts this very program anew, even if its file was replaced meanwhile. The child gets its own process
@@ -32,7 +34,7 @@ class Child {
 
  private:
   pid_t pid_ = -1;
-  int input_ = -1, output_ = -1, errors_ = -1;
+  FileDescriptor input_, output_, errors_;
   std::string buffer_;
 };
 

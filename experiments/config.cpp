@@ -145,6 +145,13 @@ class Parser {
       axis.names.emplace_back(key.str());
       for (size_t i = 0; i < values.size(); ++i) axis.points[i].push_back(values[i]);
     }
+    for (const Axis& other : config_.axes) {
+      for (const std::string& name : other.names) {
+        const toml::node* const twice = zip.get(name);
+        if (twice)
+          fail(*twice, fmt::format("\"{}\" stands in [sweep] and in [sweep.zip]; keep one of them", name));
+      }
+    }
     if (!axis.names.empty()) config_.axes.push_back(std::move(axis));
   }
 

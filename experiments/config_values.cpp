@@ -11,18 +11,24 @@ namespace {
 
 constexpr int max_range_length = 4096;
 
-/// "12", "cores", "pus", "2*pus": one end of a range.
+/// "12", "cores", "pus", "2*pus": one end of a range; none beyond ±2²⁰.
 std::optional<int> range_end(std::string_view text, const MachineSize& machine) {
-  if (text == "cores") return machine.cores;
-  if (text == "pus") return machine.pus;
+  constexpr int limit = 1 << 20;
+  std::optional<long long> value;
   const size_t star = text.find('*');
-  if (star != std::string_view::npos) {
-    const auto factor = parse_number<int>(text.substr(0, star));
-    const auto of = range_end(text.substr(star + 1), machine);
-    if (!factor || !of || std::abs(*factor) > max_range_length) return std::nullopt;
-    return *factor * *of;
+  if (text == "cores") {
+    value = machine.cores;
+  } else if (text == "pus") {
+    value = machine.pus;
+  } else if (star != std::string_view::npos) {
+    const auto factor = range_end(text.substr(0, star), machine),
+               of = range_end(text.substr(star + 1), machine);
+    if (factor && of) value = static_cast<long long>(*factor) * *of;
+  } else {
+    value = parse_number<int>(text);
   }
-  return parse_number<int>(text);
+  if (!value || *value > limit || *value < -limit) return std::nullopt;
+  return static_cast<int>(*value);
 }
 
 }  // namespace
@@ -33,7 +39,7 @@ std::vector<int> expand_range(const std::string& text, const MachineSize& machin
   const auto high =
       dots == std::string::npos ? low : range_end(std::string_view(text).substr(dots + 2), machine);
   std::vector<int> values;
-  if (!low || !high || static_cast<long long>(*high) - *low >= max_range_length) return values;
+  if (!low || !high || *high - *low >= max_range_length) return values;
   for (int v = *low; v <= *high; ++v) values.push_back(v);
   return values;
 }

@@ -14,8 +14,12 @@ volatile std::sig_atomic_t caught = 0;
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = [](int) { caught = 1; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    sigaction(signal, &action, nullptr);  // no SA_RESTART: waits wake up
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {};
+    sigaction(signal, nullptr, &old);
+    if (old.sa_handler == SIG_IGN) continue;  // started by nohup, say: it stays ignored
+    sigaction(signal, &action, nullptr);      // no SA_RESTART: waits wake up
+  }
 }
 
 bool interrupted() { return caught != 0; }

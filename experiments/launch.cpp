@@ -1,5 +1,7 @@
 #include "experiments/launch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "experiments/cell_record.h"
@@ -33,11 +35,26 @@ void warm_up(RenderJob& job, int frames, Record& record) {
   }
 }
 
+/// Every timed frame must have run every item, and sent out the same rays.
+std::string what_is_wrong(const RenderJob& job, uint64_t frames) {
+  uint64_t items = 0;
+  for (const WorkerEntry& entry : job.log().entries()) items += entry.items;
+  const RayCounts rays = job.rays();
+  if (items != frames * job.item_count()) {
+    return fmt::format("{} items ran in {} frames of {}", items, frames, job.item_count());
+  }
+  if (rays.primary % frames + rays.shadow % frames + rays.reflected % frames != 0)
+    return "frames differ in their rays";
+  return {};
+}
+
 void fill_in(const RenderJob& job, Record& record) {
-  const uint64_t frames = std::max<uint64_t>(1, record.frame_seconds.front().size());
+  const uint64_t frames = record.frame_seconds.front().size();
   const RayCounts rays = job.rays();
   record.rays = {rays.primary / frames, rays.shadow / frames, rays.reflected / frames,
                  rays.refracted / frames};
+  record.reason = what_is_wrong(job, frames);
+  record.valid = record.reason.empty();
   record.build_seconds = job.build_seconds();
   record.image_hash = job.film().hash();
   record.threads_seen = job.log().workers_seen();
@@ -54,7 +71,7 @@ void run_launch(const Cell& cell, const LaunchOptions& options) {
   record.runtime = runtime_of(find_scheduler(cell.scheduler)->family);
   std::vector<double>& frames = record.frame_seconds.emplace_back();
   if (options.timed) warm_up(job, find_scheduler(cell.scheduler)->warmup_runs, record);
-  job.reset_counts();
+  job.reset();
   if (options.before_timing) options.before_timing();
   double total = 0;
   uint64_t chunks = 0;

@@ -100,7 +100,6 @@ nlohmann::json to_json(const Plan& plan) {
   for (const PlannedCell& planned : plan.cells) {
     Record blank = record_of(planned.cell);
     blank.experiment = plan.experiment;
-    blank.asked = planned.asked;
     json["cells"].push_back(to_json(blank));
   }
   for (int round = 0; round < plan.rounds; ++round) json["order"].push_back(plan.order(round));

@@ -1,5 +1,7 @@
 #include "experiments/render_job.h"
 
+#include <limits>
+
 #include "experiments/clock.h"
 #include "experiments/item.h"
 #include "schedulers/registry.h"
@@ -44,7 +46,9 @@ RenderJob::RenderJob(const Cell& cell)
 
 void RenderJob::frame() { scheduler_->run({tiles_.size()}, chunk_, body_, log_); }
 
-void RenderJob::reset_counts() {
+void RenderJob::reset() {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  film_.fill({nan, nan, nan});
   log_ = WorkerLog(threads_);
   for (WorkerRays& entry : rays_) entry = {};
 }

@@ -18,8 +18,10 @@ class RenderJob {
   /// Renders one whole picture.
   void frame();
 
-  /// Forgets rays and worker entries of the frames so far.
-  void reset_counts();
+  /// Forgets the frames so far: their rays, their worker entries, and their pixels, which become NaN, so that
+  /// no pixel that a later frame leaves out can pass for rendered.
+  void reset();
+  [[nodiscard]] size_t item_count() const { return tiles_.size(); }
 
   [[nodiscard]] const Film& film() const { return film_; }
   [[nodiscard]] const WorkerLog& log() const { return log_; }

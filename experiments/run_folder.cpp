@@ -55,43 +55,36 @@ RunFolder::RunFolder(fs::path path, const Config& config, const Plan& plan, cons
     throw RequestError(fmt::format("{}: cannot be made: {}; choose another folder with --out", path_.string(),
                                    error.message()));
   lock();
-  take_up(config, plan, resume);
+  take_up(config, plan, machine, resume);
   write_whole(path_ / "config.toml", config.text);
   write_whole(path_ / "plan.json", to_json(plan).dump(1) + "\n");
   write_whole(path_ / "machine.json", to_json(machine).dump(1) + "\n");
   const fs::path records = path_ / "records.jsonl";
-  file_ = open(records.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file_ < 0)
+  file_ = FileDescriptor(open(records.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+  if (!file_.is_open())
     throw RequestError(fmt::format("{}: cannot be written: {}", records.string(), std::strerror(errno)));
-}
-
-RunFolder::~RunFolder() {
-  for (const int file : {file_, lock_}) {
-    if (file >= 0) close(file);
-  }
 }
 
 void RunFolder::lock() {
   const fs::path file = path_ / ".lock";
-  lock_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock_ < 0) {
+  lock_ = FileDescriptor(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!lock_.is_open()) {
     throw RequestError(fmt::format("{}: not writable: {}; choose another folder with --out", path_.string(),
                                    std::strerror(errno)));
   }
   // The kernel lets go of it when we die, so no stale lock can stay behind.
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    close(lock_);
+  if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     throw RequestError(fmt::format(
         "{}: another run is writing here (process {}); wait for it or choose another folder with --out",
         path_.string(), read_whole(file)));
   }
   const std::string process = std::to_string(getpid());
-  if (ftruncate(lock_, 0) != 0 || pwrite(lock_, process.data(), process.size(), 0) < 0) {
+  if (ftruncate(lock_.get(), 0) != 0 || pwrite(lock_.get(), process.data(), process.size(), 0) < 0) {
     throw RequestError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
   }
 }
 
-void RunFolder::take_up(const Config& config, const Plan& plan, bool resume) {
+void RunFolder::take_up(const Config& config, const Plan& plan, const Machine& machine, bool resume) {
   const fs::path records = path_ / "records.jsonl";
   if (!fs::exists(records)) return;
   if (!resume) {
@@ -99,10 +92,16 @@ void RunFolder::take_up(const Config& config, const Plan& plan, bool resume) {
         fmt::format("{}: holds a run already; go on with it by --resume, or choose another folder with --out",
                     path_.string()));
   }
-  const auto old_plan = nlohmann::json::parse(read_whole(path_ / "plan.json"), nullptr, false);
-  if (read_whole(path_ / "config.toml") != config.text || old_plan != to_json(plan)) {
+  const auto parse = [&](const char* file) {
+    return nlohmann::json::parse(read_whole(path_ / file), nullptr, false);
+  };
+  const auto old_machine = parse("machine.json"), new_machine = to_json(machine);
+  const bool same_machine = old_machine.is_object() && old_machine.value("host", "") == new_machine["host"] &&
+                            old_machine.value("cpu", "") == new_machine["cpu"];
+  if (read_whole(path_ / "config.toml") != config.text || parse("plan.json") != to_json(plan) ||
+      !same_machine) {
     throw RequestError(fmt::format(
-        "{}: was made from another config or another machine; --resume goes on with the same one only",
+        "{}: was made from another config or on another machine; --resume goes on with the same ones only",
         path_.string()));
   }
   drop_unfinished_line(records);
@@ -114,15 +113,15 @@ void RunFolder::take_up(const Config& config, const Plan& plan, bool resume) {
 }
 
 void RunFolder::append(const Record& record) {
-  const std::string line = to_json(record).dump() + "\n";
-  const off_t before = lseek(file_, 0, SEEK_END);
-  const ssize_t written = write(file_, line.data(), line.size());
-  if (written == static_cast<ssize_t>(line.size()) && fdatasync(file_) == 0) {
+  const std::string line = to_line(record) + "\n";
+  const off_t before = lseek(file_.get(), 0, SEEK_END);
+  const ssize_t written = write(file_.get(), line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size()) && fdatasync(file_.get()) == 0) {
     records_.push_back(record);
     return;
   }
   const std::string reason = std::strerror(errno);
-  const bool taken_back = ftruncate(file_, before) == 0;
+  const bool taken_back = ftruncate(file_.get(), before) == 0;
   throw WorkError(
       fmt::format("{}: a record cannot be written ({}){}; finished launches are kept, go on with --resume",
                   (path_ / "records.jsonl").string(), reason, taken_back ? "" : " and its beginning stays"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/config.h"
+#include "experiments/file_descriptor.h"
 #include "experiments/machine.h"
 #include "experiments/plan.h"
 #include "results/record.h"
@@ -20,7 +21,6 @@ class RunFolder {
   /// holds another run.
   RunFolder(std::filesystem::path path, const Config& config, const Plan& plan, const Machine& machine,
             bool resume);
-  ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
@@ -33,11 +33,11 @@ class RunFolder {
 
  private:
   void lock();
-  void take_up(const Config& config, const Plan& plan, bool resume);
+  void take_up(const Config& config, const Plan& plan, const Machine& machine, bool resume);
 
   std::filesystem::path path_;
   std::vector<Record> records_;
-  int lock_ = -1, file_ = -1;
+  FileDescriptor lock_, file_;
 };
 
 }  // namespace raysweep

@@ -18,15 +18,15 @@ class Runner {
          const RunnerTools& tools)
       : config_(config), plan_(plan), machine_(machine), folder_(folder), tools_(tools), start_(tools.now()) {
     for (const Record& r : folder.records()) {
-      done_.insert({r.cell, r.round});
-      report_.void_launches += !r.valid;
+      if (r.valid) done_.insert({r.cell, r.round});  // void ones are tried again
     }
     report_.launches = static_cast<int>(folder.records().size());
   }
 
   RunReport run() {
     const int total = plan_.rounds * static_cast<int>(plan_.cells.size());
-    Progress progress(total - report_.launches, start_, config_.measure.budget_seconds, tools_.quiet);
+    Progress progress(total - static_cast<int>(done_.size()), start_, config_.measure.budget_seconds,
+                      tools_.quiet);
     const int before = report_.launches;
     for (int round = 0; round < plan_.rounds; ++round) {
       for (const size_t index : plan_.order(round)) {
@@ -54,19 +54,32 @@ class Runner {
                        cell.threads == 1 ? "thread" : "threads");
   }
 
-  /// The hash of the serial picture of `cell`, rendered once; empty when interrupted.
-  std::string reference(const Cell& cell) {
+  /// The serial picture of `cell`, rendered once; null when interrupted.
+  const Record* reference(const Cell& cell) {
     const std::string key = cell.picture_key();
-    if (const auto known = references_.find(key); known != references_.end()) return known->second;
+    if (const auto known = references_.find(key); known != references_.end()) return &known->second;
     Cell serial = cell;
     serial.scheduler = "serial";
     serial.threads = serial.processes = 1;
     collapse_ignored_factors(serial);
-    const LaunchOutcome outcome = tools_.launcher.picture(serial);
-    if (outcome.interrupted) return {};
-    if (!outcome.record)
+    LaunchOutcome outcome = tools_.launcher.picture(serial);
+    if (outcome.interrupted) return nullptr;
+    if (!outcome.record) {
       throw WorkError(fmt::format("the serial picture cannot be rendered ({}): {}", key, outcome.failure));
-    return references_[key] = outcome.record->image_hash;
+    }
+    return &references_.emplace(key, std::move(*outcome.record)).first->second;
+  }
+
+  /// Voids a record whose picture or rays are not the serial ones.
+  static void verify(Record& record, const Record& serial) {
+    if (!record.valid) return;
+    if (record.image_hash != serial.image_hash) {
+      record.reason =
+          fmt::format("picture {} differs from the serial one, {}", record.image_hash, serial.image_hash);
+    } else if (record.rays != serial.rays) {
+      record.reason = "its rays are not those of the serial picture";
+    }
+    record.valid = record.reason.empty();
   }
 
   /// Stands for a launch that left no record.
@@ -79,22 +92,18 @@ class Runner {
 
   /// One launch, verified and written down. False when interrupted.
   bool take(const PlannedCell& planned, int round) {
-    const std::string expected = reference(planned.cell);
-    if (expected.empty()) return false;
+    const Record* const serial = reference(planned.cell);
+    if (!serial) return false;
     const MachineRecord machine = machine_record(machine_);
     LaunchOutcome outcome = tools_.launcher.launch(planned.cell, config_.measure.seconds);
     if (outcome.interrupted) return false;
     Record record = outcome.record ? std::move(*outcome.record) : void_record(planned.cell, outcome.failure);
-    if (record.valid && record.image_hash != expected) {
-      record.valid = false;
-      record.reason = fmt::format("picture {} differs from the serial one, {}", record.image_hash, expected);
-    }
+    verify(record, *serial);
     record.experiment = config_.experiment;
     record.launch = report_.launches++;
     record.round = round;
     record.seed = plan_.seed;
     record.machine = machine;
-    record.asked = planned.asked;
     report_.void_launches += !record.valid;
     folder_.append(record);
     return true;
@@ -107,7 +116,7 @@ class Runner {
   const RunnerTools& tools_;
   const double start_;
   std::set<std::pair<std::string, int>> done_;
-  std::map<std::string, std::string> references_;
+  std::map<std::string, Record> references_;
   RunReport report_;
 };
 

@@ -26,10 +26,10 @@ struct RunnerTools {
   bool quiet = false;           // no progress
 };
 
-/// Renders every picture of the plan once by `serial`, then launches all cells, round by round, each round in
-/// its own random order, until all rounds are done, the budget is used up, or the user interrupts. A launch
-/// whose picture differs from the serial one, or that fails, is recorded as void. Throws WorkError if a
-/// serial picture cannot be had.
+/// Launches all cells, round by round, each round in its own random order, until all rounds are done, the
+/// budget is used up, or the user interrupts. Each picture is rendered once by `serial`; a launch whose
+/// picture or rays differ from that one, or that fails, is recorded as void. Throws WorkError if a serial
+/// picture cannot be had, or a record not written.
 [[nodiscard]] RunReport run_plan(const Config& config, const Plan& plan, const Machine& machine,
                                  RunFolder& folder, const RunnerTools& tools);
 

@@ -79,6 +79,11 @@ int run(const RenderOptions& options, bool json) {
   const Cell cell = make_cell(options, pus);
   if (cell.threads > pus)
     fmt::print(stderr, "note: {} threads on {} processors: oversubscribed\n", cell.threads, pus);
+  if (static_cast<size_t>(cell.settings.width) * static_cast<size_t>(cell.settings.height) > max_png_pixels) {
+    throw RequestError(
+        fmt::format("--width {} --height {}: too large for a PNG file, which holds {} pixels here",
+                    cell.settings.width, cell.settings.height, max_png_pixels));
+  }
   RenderJob job(cell);
   const double begin = now_seconds();
   for (int i = 0; i < options.frames; ++i) job.frame();

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+
 #include "experiments/errors.h"
 #include "experiments/verbs.h"
 #include "results/run_data.h"
@@ -8,12 +10,15 @@ namespace raysweep {
 
 namespace {
 
-int run(const std::vector<std::string>& folders) {
+int run(const std::vector<std::string>& folders, bool as_json) {
+  auto json = nlohmann::json::array();
   for (const std::string& folder : folders) {
     const RunData data = read_run(folder);
     write_tables(data.rows, data.context, std::filesystem::path(folder) / "tables");
-    fmt::print("{}\n", tables_as_text(data.rows, data.context));
+    json.push_back({{"folder", folder}, {"rows", rows_as_json(data.rows)}});
+    if (!as_json) fmt::print("{}\n", tables_as_text(data.rows, data.context));
   }
+  if (as_json) fmt::print("{}\n", json.dump(1));
   return exit_done;
 }
 
@@ -21,10 +26,10 @@ int run(const std::vector<std::string>& folders) {
 
 void add_report(CommandLine& line) {
   CLI::App* const verb =
-      line.app.add_subcommand("report", "the tables of finished runs anew, from their records alone");
+      add_verb(line, "report", "the tables of finished runs anew, from their records alone");
   static std::vector<std::string> folders;
   verb->add_option("folder", folders, "folders of runs")->required();
-  verb->callback([&line] { line.action = [] { return run(folders); }; });
+  verb->callback([&line] { line.action = [&line] { return run(folders, line.json); }; });
 }
 
 }  // namespace raysweep

@@ -2,8 +2,10 @@
 #include <fmt/core.h>
 
 #include <ctime>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "experiments/clock.h"
 #include "experiments/errors.h"
@@ -62,54 +64,59 @@ std::string advice(const RunReport& report, const Config& config, const Plan& pl
   return {};
 }
 
-nlohmann::json describe(const std::filesystem::path& folder, const RunReport& report,
-                        const std::vector<CellRow>& rows) {
-  nlohmann::json json{{"folder", folder.string()},
-                      {"launches", report.launches},
-                      {"void_launches", report.void_launches},
-                      {"complete", report.end == RunEnd::complete},
-                      {"rows", nlohmann::json::array()}};
-  const Table table = scaling_data(rows);
-  for (const auto& cells : table.rows) {
-    nlohmann::json row;
-    for (size_t i = 0; i < cells.size(); ++i) row[table.columns[i].title] = cells[i];
-    json["rows"].push_back(std::move(row));
-  }
-  return json;
+/// An experiment that is about to run: everything that can be refused has been.
+struct Prepared {
+  Config config;
+  Plan plan;
+  std::unique_ptr<RunFolder> folder;
+};
+
+nlohmann::json describe(const Prepared& prepared, const RunReport& report, const RunData& data) {
+  return {{"folder", prepared.folder->path().string()},
+          {"launches", report.launches},
+          {"void_launches", report.void_launches},
+          {"complete", report.end == RunEnd::complete},
+          {"rows", rows_as_json(data.rows)}};
 }
 
-int run_one(const Config& config, const Machine& machine, const RunOptions& options,
-            const std::filesystem::path& out, nlohmann::json* json) {
-  const Plan plan = make_plan(config, machine.size());
-  if (options.dry_run) {
-    print_plan(config, plan);
-    return exit_done;
+/// The report of a run, or why it failed: what was measured before is told all the same.
+std::pair<RunReport, std::string> run_or_fail(const Prepared& p, const Machine& machine,
+                                              const RunnerTools& tools) {
+  try {
+    return {run_plan(p.config, p.plan, machine, *p.folder, tools), {}};
+  } catch (const WorkError& error) {
+    return {RunReport{}, error.what()};
   }
-  RunFolder folder(out, config, plan, machine, options.resume);
-  ProcessLauncher launcher;
-  catch_interrupts();
-  if (!json)
+}
+
+/// Runs, then tells: on standard output the tables, or a document in `json`. The exit code.
+int run_one(const Prepared& prepared, const Machine& machine, nlohmann::json* json) {
+  const auto& [config, plan, folder] = prepared;
+  if (!json) {
     fmt::print(stderr, "{}: {} cells in {} rounds, at most {:.0f} s; records go to {}\n", config.experiment,
-               plan.cells.size(), plan.rounds, config.measure.budget_seconds, folder.path().string());
-  const RunReport report = run_plan(config, plan, machine, folder, {launcher, now_seconds, json != nullptr});
-  const RunData data = read_run(folder.path());
-  write_tables(data.rows, data.context, folder.path() / "tables");
-  if (json) {
-    json->push_back(describe(folder.path(), report, data.rows));
-  } else {
-    fmt::print("{}\n", tables_as_text(data.rows, data.context));
+               plan.cells.size(), plan.rounds, config.measure.budget_seconds, folder->path().string());
   }
-  if (const std::string text = advice(report, config, plan, folder.path()); !text.empty())
-    fmt::print(stderr, "{}\n", text);
-  if (!json) fmt::print("Records, machine and tables: {}\n", folder.path().string());
+  ProcessLauncher launcher;
+  const auto [report, failure] = run_or_fail(prepared, machine, {launcher, now_seconds, json != nullptr});
+  const RunData data = read_run(folder->path());
+  write_tables(data.rows, data.context, folder->path() / "tables");
+  if (json) {
+    json->push_back(describe(prepared, report, data));
+  } else {
+    fmt::print("{}\nRecords, machine and tables: {}\n", tables_as_text(data.rows, data.context),
+               folder->path().string());
+  }
+  if (!failure.empty()) {
+    fmt::print(stderr, "raysweep: {}\n", failure);
+    return exit_failed;
+  }
+  const std::string text = advice(report, config, plan, folder->path());
+  if (!text.empty()) fmt::print(stderr, "{}\n", text);
   if (report.end == RunEnd::interrupted) return exit_interrupted;
   return report.void_launches > 0 ? exit_failed : exit_done;
 }
 
-int run(const RunOptions& options, bool as_json) {
-  if (options.resume && options.out.empty())
-    throw RequestError("--resume goes on with the run in --out: name its folder");
-  const Machine machine = detect_machine();
+std::vector<Config> read_configs(const RunOptions& options, const Machine& machine) {
   std::vector<Config> configs;
   std::string errors;
   for (const std::string& file : options.configs) {
@@ -120,13 +127,45 @@ int run(const RunOptions& options, bool as_json) {
     }
   }
   if (!errors.empty()) throw RequestError(errors);
-  nlohmann::json json = nlohmann::json::array();
-  int worst = exit_done;
+  std::set<std::string> names;
   for (const Config& config : configs) {
+    if (!names.insert(config.experiment).second) {
+      throw RequestError(fmt::format("{}: experiment \"{}\" is there twice; each needs a folder of its own",
+                                     config.file, config.experiment));
+    }
+  }
+  return configs;
+}
+
+std::vector<Prepared> prepare(std::vector<Config> configs, const RunOptions& options,
+                              const Machine& machine) {
+  std::vector<Prepared> list;
+  for (Config& config : configs) {
     std::filesystem::path out =
         options.out.empty() ? default_folder(config) : std::filesystem::path(options.out);
     if (!options.out.empty() && configs.size() > 1) out /= config.experiment;
-    const int code = run_one(config, machine, options, out, as_json ? &json : nullptr);
+    Plan plan = make_plan(config, machine.size());
+    auto folder = std::make_unique<RunFolder>(out, config, plan, machine, options.resume);
+    list.push_back({std::move(config), std::move(plan), std::move(folder)});
+  }
+  return list;
+}
+
+int run(const RunOptions& options, bool as_json) {
+  if (options.resume && options.out.empty())
+    throw RequestError("--resume goes on with the run in --out: name its folder");
+  const Machine machine = detect_machine();
+  std::vector<Config> configs = read_configs(options, machine);
+  if (options.dry_run) {
+    for (const Config& config : configs) print_plan(config, make_plan(config, machine.size()));
+    return exit_done;
+  }
+  const std::vector<Prepared> list = prepare(std::move(configs), options, machine);
+  catch_interrupts();
+  nlohmann::json json = nlohmann::json::array();
+  int worst = exit_done;
+  for (const Prepared& prepared : list) {
+    const int code = run_one(prepared, machine, as_json ? &json : nullptr);
     worst = std::max(worst, code);
     if (code == exit_interrupted) break;
   }

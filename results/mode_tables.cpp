@@ -41,12 +41,27 @@ std::vector<Group> group_rows(const std::vector<CellRow>& rows) {
   return groups;
 }
 
+/// What a reader of one line must know: oversubscription once, the rest by mode.
+std::string notes_of(const std::map<std::string, const CellRow*>& by_mode) {
+  std::string text;
+  const auto add = [&](const std::string& note) {
+    text += fmt::format("{}{}", text.empty() ? "" : "; ", note);
+  };
+  if (by_mode.begin()->second->oversubscribed) add("oversubscribed");
+  for (const auto& [mode, row] : by_mode) {
+    for (const std::string& note : row->notes) {
+      if (note != "oversubscribed") add(fmt::format("{} {}", mode, note));
+    }
+  }
+  return text;
+}
+
 ModeTable make_table(const char* quantity, std::optional<Estimate> CellRow::*value, const Group& group,
                      const std::vector<std::string>& modes) {
   ModeTable made{fmt::format("{}-{}", quantity, group.name), {}};
-  made.table.caption = fmt::format("{} of {}", quantity, group.name);
   made.table.columns.push_back({"threads"});
   for (const std::string& mode : modes) made.table.columns.push_back({mode});
+  made.table.columns.push_back({"notes", false});
   for (const auto& [threads, by_mode] : group.rows) {
     std::vector<std::string> cells{std::to_string(threads)};
     for (const std::string& mode : modes) {
@@ -54,6 +69,7 @@ ModeTable make_table(const char* quantity, std::optional<Estimate> CellRow::*val
       const bool known = found != by_mode.end() && (found->second->*value).has_value();
       cells.push_back(known ? significant((found->second->*value)->value) : "");
     }
+    cells.push_back(notes_of(by_mode));
     made.table.rows.push_back(std::move(cells));
   }
   return made;
@@ -70,7 +86,9 @@ std::vector<ModeTable> mode_tables(const std::vector<CellRow>& rows) {
   if (modes.size() < 2) return tables;
   for (const Group& group : group_rows(rows)) {
     tables.push_back(make_table("fps", &CellRow::fps, group, modes));
+    tables.back().table.caption = fmt::format("fps of {}", group.name);
     tables.push_back(make_table("speedup", &CellRow::speedup, group, modes));
+    tables.back().table.caption = fmt::format("speedup of {} against serial", group.name);
   }
   return tables;
 }

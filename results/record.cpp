@@ -40,8 +40,8 @@ void for_each_field(Each&& each) {
       RAYSWEEP_FIELD(method);
   RAYSWEEP_FIELD(precision), RAYSWEEP_FIELD(scheduler), RAYSWEEP_FIELD(runtime), RAYSWEEP_FIELD(item);
   RAYSWEEP_FIELD(threads), RAYSWEEP_FIELD(threads_seen), RAYSWEEP_FIELD(chunk), RAYSWEEP_FIELD(chunks_made);
-  RAYSWEEP_FIELD(pin), RAYSWEEP_FIELD(processes), RAYSWEEP_FIELD(uses_threads), RAYSWEEP_FIELD(uses_chunk);
-  RAYSWEEP_FIELD(asked), RAYSWEEP_FIELD(warmup_seconds), RAYSWEEP_FIELD(build_seconds), RAYSWEEP_FIELD(rays);
+  RAYSWEEP_FIELD(pin), RAYSWEEP_FIELD(processes);
+  RAYSWEEP_FIELD(warmup_seconds), RAYSWEEP_FIELD(build_seconds), RAYSWEEP_FIELD(rays);
   RAYSWEEP_FIELD(image_hash), RAYSWEEP_FIELD(workers);
 #undef RAYSWEEP_FIELD
 }
@@ -61,6 +61,10 @@ nlohmann::json to_json(const Record& record) {
   for_each_field([&](const char* name, auto field) { json[name] = record.*field; });
   json["frame_seconds"] = frames_to_json(record);
   return json;
+}
+
+std::string to_line(const Record& record) {
+  return to_json(record).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Record record_from_json(const nlohmann::json& json) {

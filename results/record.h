@@ -22,6 +22,7 @@ struct WorkerRecord {
 /// Rays of one frame, by kind.
 struct RayRecord {
   uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0;
+  friend bool operator==(const RayRecord&, const RayRecord&) = default;
 };
 
 /// The machine as far as tables need it; machine.json holds the rest.
@@ -45,9 +46,7 @@ struct Record {
   std::string scene, mode, pattern, accel, core, isa, method, precision, scheduler, runtime, item, chunk, pin;
   int width = 0, height = 0, subpixels = 0, depth = 0, lights = 0, leaf = 0;
   int threads = 0, threads_seen = 0;
-  int processes = 1;                            // more than 1: co-running copies of one launch
-  bool uses_threads = true, uses_chunk = true;  // what the scheduler makes of them
-  bool asked = true;                            // false: a base that the run added to its sweep
+  int processes = 1;  // more than 1: co-running copies of one launch
 
   std::vector<std::vector<double>> frame_seconds;  // by process
   std::vector<double> warmup_seconds;
@@ -67,6 +66,8 @@ struct RecordError : std::runtime_error {
 };
 
 [[nodiscard]] nlohmann::json to_json(const Record& record);
+/// One line of records.jsonl, without its newline. What is not UTF-8 in a name or a reason is replaced.
+[[nodiscard]] std::string to_line(const Record& record);
 [[nodiscard]] Record record_from_json(const nlohmann::json& json);
 
 /// All whole records of a file, in order; a last line without its end (a writer that was killed) is left out.

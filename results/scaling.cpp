@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "results/factors.h"
+
 namespace raysweep {
 
 namespace {
@@ -12,12 +14,18 @@ namespace {
 /// Valid launches of one cell, by round.
 using Rounds = std::map<int, double>;
 
-/// Everything but scheduler, threads and chunk: cells that share it can be each other's base.
-std::string base_key(const Record& r, std::string_view scheduler, int threads, std::string_view chunk,
+/// The factors of `r` as one text, with another scheduler, thread count and chunk: names the cell to compare
+/// with.
+std::string base_key(const Record& r, const std::string& scheduler, int threads, const std::string& chunk,
                      int processes) {
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", r.scene, r.mode, r.width,
-                     r.height, r.subpixels, r.pattern, r.depth, r.lights, r.accel, r.leaf, r.core, r.method,
-                     r.precision, r.item, r.pin, scheduler, threads, chunk, processes);
+  std::string key = std::to_string(processes);
+  for (const FactorText& factor : factor_texts()) {
+    key += "|" + (factor.name == "scheduler" ? scheduler
+                  : factor.name == "threads" ? std::to_string(threads)
+                  : factor.name == "chunk"   ? chunk
+                                             : factor.text(r));
+  }
+  return key;
 }
 
 std::string own_key(const Record& r) { return base_key(r, r.scheduler, r.threads, r.chunk, r.processes); }
@@ -96,11 +104,14 @@ CellRow make_row(const Record& planned, const std::vector<const Record*>& launch
 
 std::vector<CellRow> summarise(const std::vector<Record>& records, const std::vector<Record>& planned,
                                double interval_target) {
+  // A launch that was void and tried again on resume has two records: the later one counts.
+  std::map<std::pair<std::string, int>, const Record*> latest;
+  for (const Record& r : records) latest[{r.cell, r.round}] = &r;
   std::map<std::string, Rounds> all;
   std::map<std::string, std::vector<const Record*>> by_cell;
-  for (const Record& r : records) {
-    by_cell[r.cell].push_back(&r);
-    if (r.valid) all[own_key(r)][r.round] = r.fps();
+  for (const auto& [cell_and_round, r] : latest) {
+    by_cell[r->cell].push_back(r);
+    if (r->valid) all[own_key(*r)][r->round] = r->fps();
   }
   std::vector<CellRow> rows;
   for (const Record& cell : planned) {

@@ -17,14 +17,14 @@ double median(std::vector<double> samples) {
 }
 
 std::optional<int> median_interval_rank(int n) {
-  double probability = std::pow(0.5, n);  // P(B = k), from k = 0 on
-  double below = 0;                       // P(B ≤ k)
+  double below = 0;  // P(B ≤ k)
   std::optional<int> rank;
   for (int k = 0; 2 * k < n; ++k) {
-    below += probability;
+    // P(B = k) in logarithms: 2⁻ⁿ itself underflows from n = 1075 on.
+    below +=
+        std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) - n * std::log(2.0));
     if (1 - 2 * below < 0.95) break;
     rank = k;
-    probability *= static_cast<double>(n - k) / (k + 1);
   }
   return rank;
 }

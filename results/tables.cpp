@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "results/factors.h"
 #include "results/number_text.h"
@@ -105,6 +106,17 @@ Table scaling_data(const std::vector<CellRow>& rows) {
     table.rows.push_back(std::move(cells));
   }
   return table;
+}
+
+nlohmann::json rows_as_json(const std::vector<CellRow>& rows) {
+  const Table table = scaling_data(rows);
+  auto list = nlohmann::json::array();
+  for (const auto& cells : table.rows) {
+    nlohmann::json row;
+    for (size_t i = 0; i < cells.size(); ++i) row[table.columns[i].title] = cells[i];
+    list.push_back(std::move(row));
+  }
+  return list;
 }
 
 std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context) {

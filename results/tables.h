@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "results/scaling.h"
@@ -19,6 +20,9 @@ struct TableContext {
 
 /// For programs: one row a cell, every factor and every number unrounded, intervals in columns of their own.
 [[nodiscard]] Table scaling_data(const std::vector<CellRow>& rows);
+
+/// The same as one JSON object a row, keyed by column.
+[[nodiscard]] nlohmann::json rows_as_json(const std::vector<CellRow>& rows);
 
 /// A number against threads and modes: the layout of Morozov 2011's tables 3 and 4.
 struct ModeTable {

@@ -124,7 +124,11 @@ std::unique_ptr<Scheduler> make_scheduler(std::string_view name, int threads) {
         fmt::format("threads = {} is out of range: {} to {}", threads, min_threads, max_threads));
   }
   try {
-    return find_make(*entry)(threads);
+    auto scheduler = find_make(*entry)(threads);
+    WorkerLog log(threads);
+    scheduler->run(
+        {static_cast<size_t>(threads)}, {}, [](size_t, size_t, int) {}, log);  // runtimes make threads late
+    return scheduler;
   } catch (const std::system_error& error) {
     throw SchedulerError(fmt::format("{} threads cannot be made: {}", threads, error.what()));
   }

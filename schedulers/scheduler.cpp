@@ -32,11 +32,12 @@ class FirstError {
 
 }  // namespace
 
-void WorkerLog::ran(int worker, size_t items) {
+void WorkerLog::ran(int worker, size_t begin, size_t end, bool joined) {
   WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
   if (entry.chunks == 0) entry.processor = sched_getcpu();
-  entry.items += items;
-  entry.chunks++;
+  entry.items += end - begin;
+  if (!joined || begin == 0 || begin != entry.last_end) entry.chunks++;
+  entry.last_end = end;
 }
 
 int WorkerLog::workers_seen() const {
@@ -46,10 +47,11 @@ int WorkerLog::workers_seen() const {
 void Scheduler::run(const ItemSpace& items, const Chunk& chunk, const Body& body, WorkerLog& log) {
   if (items.count == 0) return;
   FirstError error;
+  const bool joined = calls_by_item();
   const Body guarded = [&](size_t begin, size_t end, int worker) noexcept {
     if (error.raised()) return;
     try {
-      log.ran(worker, end - begin);
+      log.ran(worker, begin, end, joined);
       body(begin, end, worker);
     } catch (...) {
       error.capture();

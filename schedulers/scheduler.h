@@ -42,7 +42,8 @@ inline constexpr int max_chunk = 1 << 24;
 /// What one worker did. A cache line of its own, since its worker writes it during the run.
 struct alignas(128) WorkerEntry {
   size_t items = 0, chunks = 0;
-  int processor = -1;  // where the worker's first chunk ran; −1 if it ran none
+  size_t last_end = 0;  // of its last call
+  int processor = -1;   // where the worker's first chunk ran; −1 if it ran none
 };
 
 /// What all workers did, summed over the runs that were given this log.
@@ -50,7 +51,8 @@ class WorkerLog {
  public:
   explicit WorkerLog(int threads) : entries_(static_cast<size_t>(threads)) {}
 
-  void ran(int worker, size_t items);
+  /// `joined`: a call that goes on where this worker's last one ended belongs to the same chunk.
+  void ran(int worker, size_t begin, size_t end, bool joined);
   [[nodiscard]] const std::vector<WorkerEntry>& entries() const { return entries_; }
   /// Workers that ran at least one item.
   [[nodiscard]] int workers_seen() const;
@@ -71,6 +73,10 @@ class Scheduler {
   void run(const ItemSpace& items, const Chunk& chunk, const Body& body, WorkerLog& log);
 
  private:
+  /// Whether chunks come in several calls, item by item. They are then counted as runs of successive items,
+  /// which takes two neighbouring chunks of one worker for one.
+  [[nodiscard]] virtual bool calls_by_item() const { return false; }
+
   /// Covers [0, items.count) with calls of `body`, which never throws.
   virtual void run_items(const ItemSpace& items, const Chunk& chunk, const Body& body) = 0;
 };

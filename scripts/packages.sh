@@ -8,4 +8,4 @@ build_packages=(g++ cmake ninja-build pkg-config libfmt-dev libtomlplusplus-dev 
 optional_packages=(libtbb-dev libassimp-dev zlib1g-dev)
 test_packages=(libgtest-dev)
 # What .ci/run checks beyond the tests.
-check_packages=(clang clang-format clang-tidy)
+check_packages=(clang clang-format clang-tidy libomp-dev)

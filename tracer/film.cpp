@@ -40,6 +40,8 @@ std::string Film::hash() const {
 }
 
 void write_png(const Film& film, const std::string& path) {
+  if (film.pixels().size() > max_png_pixels)
+    throw std::runtime_error(path + ": the picture is too large for a PNG file");
   std::vector<unsigned char> bytes;
   bytes.reserve(film.pixels().size() * 3);
   for (const Vec3f& p : film.pixels()) {
@@ -53,12 +55,13 @@ void write_png(const Film& film, const std::string& path) {
   std::ofstream file(part, std::ios::binary);
   file.write(png.data(), static_cast<std::streamsize>(png.size()));
   file.close();
+  const int written = errno;
   std::error_code error;
   if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) {
-    std::filesystem::remove(part, error);
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-  }
+  if (file && !error) return;
+  const std::string reason = file ? error.message() : std::strerror(written);
+  std::filesystem::remove(part, error);
+  throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, reason));
 }
 
 }  // namespace raysweep

@@ -1,6 +1,7 @@
 // The picture as it is computed: linear float colours, row by row.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ class Film {
   [[nodiscard]] Vec3f& at(int x, int y) { return pixels_[index(x, y)]; }
   [[nodiscard]] const Vec3f& at(int x, int y) const { return pixels_[index(x, y)]; }
   [[nodiscard]] std::span<const Vec3f> pixels() const { return pixels_; }
+  void fill(const Vec3f& colour) { std::ranges::fill(pixels_, colour); }
 
   /// 32 hexadecimal digits over the floats in row order, before any quantising (XXH3, 128 bits).
   [[nodiscard]] std::string hash() const;
@@ -34,6 +36,9 @@ class Film {
   int width_, height_;
   std::vector<Vec3f> pixels_;
 };
+
+/// The encoder counts bytes in 32 bits.
+inline constexpr size_t max_png_pixels = (size_t{1} << 31) / 4;
 
 /// Writes 8-bit sRGB (IEC 61966-2-1): the film is linear, colours are clamped to 0…1. The file appears whole
 /// or not at all. Throws std::runtime_error with a sentence when it cannot be written.

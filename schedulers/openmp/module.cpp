@@ -52,6 +52,8 @@ class OmpGuided final : public Scheduler {
   explicit OmpGuided(int threads) : threads_(threads) {}
 
  private:
+  [[nodiscard]] bool calls_by_item() const override { return true; }
+
   void run_items(const ItemSpace& items, const Chunk& chunk, const Body& body) override {
     const size_t size = chunk.size(items.count, threads_);
 #pragma omp parallel for schedule(guided, size) num_threads(threads_)

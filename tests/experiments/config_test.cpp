@@ -109,6 +109,11 @@ TEST(config, zipped_lists_advance_together) {
             "sweep.toml:4: lists in [sweep.zip] advance together: \"width\" has 2 values, \"height\" has 1");
 }
 
+TEST(config, a_factor_is_swept_once) {
+  EXPECT_EQ(errors(head + "[sweep]\nwidth = 64\n[sweep.zip]\nwidth = [1, 2]\n"),
+            "sweep.toml:5: \"width\" stands in [sweep] and in [sweep.zip]; keep one of them");
+}
+
 TEST(config, set_changes_one_value_and_is_named_in_errors) {
   const std::string text = head + "[sweep]\nthreads = [1, 2]\n[measure]\nlaunches = 3\nseed = 4\n";
   const Config c = parse(text, {"measure.launches=5", "threads=7", "title=some words"});
@@ -129,7 +134,8 @@ TEST(ranges, refer_to_the_machine) {
   EXPECT_EQ(expand_range("cores", machine), (std::vector<int>{6}));
   EXPECT_EQ(expand_range("11..pus", machine), (std::vector<int>{11, 12}));
   EXPECT_EQ(expand_range("1..2*pus", machine).size(), 24u);
-  for (const char* bad : {"", "x", "1..", "..3", "3..1", "1...3", "2*", "1..1000000000"})
+  for (const char* bad :
+       {"", "x", "1..", "..3", "3..1", "1...3", "2*", "1..1000000000", "2147483647", "4096*4096*4096"})
     EXPECT_TRUE(expand_range(bad, machine).empty()) << bad;
 }
 

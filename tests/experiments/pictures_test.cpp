@@ -70,7 +70,7 @@ TEST_P(Pictures, a_second_frame_is_the_first_one) {
   job.frame();
   const std::string first = job.film().hash();
   const RayCounts rays = job.rays();
-  job.reset_counts();
+  job.reset();
   job.frame();
   EXPECT_EQ(job.film().hash(), first);
   EXPECT_EQ(job.rays(), rays);

@@ -21,7 +21,7 @@ class FakeLauncher final : public Launcher {
   double clock = 1000;
   int launched = 0, pictures = 0;
   int interrupt_after = -1;  // launches
-  std::string wrong_scheduler, failing_scheduler;
+  std::string wrong_scheduler, failing_scheduler, idle_scheduler;
 
   LaunchOutcome launch(const Cell& cell, double) override {
     if (launched == interrupt_after) return {std::nullopt, {}, true};
@@ -32,6 +32,7 @@ class FakeLauncher final : public Launcher {
     r.cell = cell.key();
     r.mode = cell.mode;
     r.chunk = cell.chunk_text();
+    r.rays.primary = cell.scheduler == idle_scheduler ? 50 : 100;
     r.image_hash = cell.scheduler == wrong_scheduler ? "other" : "right";
     return {r, {}, false};
   }
@@ -40,6 +41,7 @@ class FakeLauncher final : public Launcher {
     pictures++;
     Record r;
     r.image_hash = "right";
+    r.rays.primary = 100;
     return {r, {}, false};
   }
 };
@@ -65,6 +67,15 @@ class RunnerTest : public testing::Test {
     const Plan plan = make_plan(config, machine.size());
     RunFolder folder(path, config, plan, machine, resume);
     return run_plan(config, plan, machine, folder, {launcher, [this] { return launcher.clock; }, true});
+  }
+  /// The sentence by which a run is refused.
+  std::string refusal(bool resume) {
+    try {
+      (void)run(resume);
+      return "";
+    } catch (const RequestError& error) {
+      return error.what();
+    }
   }
   [[nodiscard]] std::vector<Record> records() const { return read_records(path / "records.jsonl"); }
 };
@@ -137,6 +148,28 @@ TEST_F(RunnerTest, an_interrupted_run_keeps_its_launches_and_resumes_where_it_st
   EXPECT_EQ(numbers.size(), 56u);
 }
 
+TEST_F(RunnerTest, void_launches_are_tried_again_on_resume_and_the_later_record_counts) {
+  launcher.failing_scheduler = "thread_static";
+  EXPECT_EQ(run().void_launches, 28);
+  launcher.failing_scheduler.clear();
+  EXPECT_EQ(run(true).void_launches, 0);
+  EXPECT_EQ(records().size(), 56u + 28);
+  for (const CellRow& row : read_run(path).rows) EXPECT_EQ(row.void_launches, 0) << row.cell.cell;
+}
+
+TEST_F(RunnerTest, rays_that_differ_from_the_serial_ones_void_a_launch) {
+  launcher.idle_scheduler = "thread_static";
+  EXPECT_EQ(run().void_launches, 28);
+  EXPECT_EQ(read_run(path).rows[2].notes.front(),
+            "7 of 7 launches void: its rays are not those of the serial picture");
+}
+
+TEST_F(RunnerTest, another_machine_does_not_take_up_a_run) {
+  (void)run();
+  machine.host = "elsewhere";
+  EXPECT_NE(refusal(true).find("on another machine"), std::string::npos) << refusal(true);
+}
+
 TEST_F(RunnerTest, a_line_cut_by_a_kill_is_dropped_on_resume) {
   launcher.interrupt_after = 3;
   (void)run();
@@ -148,9 +181,9 @@ TEST_F(RunnerTest, a_line_cut_by_a_kill_is_dropped_on_resume) {
 
 TEST_F(RunnerTest, a_folder_with_a_run_is_taken_up_only_on_request_and_only_by_the_same_config) {
   (void)run();
-  EXPECT_THROW((void)run(), RequestError);
+  EXPECT_NE(refusal(false).find("holds a run already"), std::string::npos) << refusal(false);
   config.text += "# changed\n";
-  EXPECT_THROW((void)run(true), RequestError);
+  EXPECT_NE(refusal(true).find("was made from another config"), std::string::npos) << refusal(true);
 }
 
 TEST_F(RunnerTest, a_folder_in_use_is_refused) {

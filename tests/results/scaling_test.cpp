@@ -137,7 +137,8 @@ TEST(tables, modes_become_columns_as_in_the_published_tables) {
   const auto tables = mode_tables(summarise(records, both, 0.5));
   const auto fps = std::ranges::find(tables, "fps-omp_static", &ModeTable::name);
   ASSERT_NE(fps, tables.end());
-  EXPECT_EQ(to_csv(fps->table), "threads,hard,low\n1,0.615,6.154\n2,1.231,12.31\n8,1.538,15.38\n");
+  EXPECT_EQ(to_csv(fps->table),
+            "threads,hard,low,notes\n1,0.615,6.154,\n2,1.231,12.31,\n8,1.538,15.38,oversubscribed\n");
   EXPECT_TRUE(mode_tables(summarise(drifting_run(), order, 0.5)).empty()) << "one mode needs no such table";
 }
 

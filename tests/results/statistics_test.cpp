@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace raysweep {
@@ -20,6 +21,12 @@ TEST(median_interval, ranks_are_those_of_the_binomial_table) {
   const std::pair<int, int> table[] = {{6, 0},  {7, 0},  {8, 0},  {9, 1},  {11, 1}, {12, 2},
                                        {15, 3}, {20, 5}, {25, 7}, {30, 9}, {50, 17}};
   for (const auto& [n, rank] : table) EXPECT_EQ(median_interval_rank(n), rank) << n;
+}
+
+TEST(median_interval, ranks_of_many_samples_follow_the_normal_approximation) {
+  for (const int n : {1000, 1100, 2000, 10000}) {
+    EXPECT_NEAR(*median_interval_rank(n), n / 2.0 - 1.96 * std::sqrt(n) / 2, 2) << n;
+  }
 }
 
 TEST(median_interval, covers_the_true_median_at_least_95_times_of_100) {

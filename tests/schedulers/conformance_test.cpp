@@ -63,15 +63,12 @@ TEST_P(Conformance, no_worker_runs_two_bodies_at_once) {
   std::vector<std::atomic<int>> inside(threads);
   std::atomic<bool> overlap{false};
   WorkerLog log(threads);
-  for (int round = 0; round < 20; ++round) {
-    scheduler->run(
-        {200}, {},
-        [&](size_t, size_t, int worker) {
-          if (inside[static_cast<size_t>(worker)]++ != 0) overlap = true;
-          inside[static_cast<size_t>(worker)]--;
-        },
-        log);
-  }
+  const auto body = [&](size_t, size_t, int worker) {
+    if (inside[static_cast<size_t>(worker)]++ != 0) overlap = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    inside[static_cast<size_t>(worker)]--;
+  };
+  scheduler->run({100}, {}, body, log);
   EXPECT_FALSE(overlap);
 }
 
@@ -107,27 +104,33 @@ TEST_P(Conformance, asked_threads_are_seen_threads) {
   }
 }
 
-TEST_P(Conformance, the_first_error_reaches_the_caller_and_the_next_run_works) {
+/// Counts bodies that are still inside.
+struct Inside {
+  explicit Inside(std::atomic<int>& c) : count(c) { count++; }
+  ~Inside() { count--; }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+  std::atomic<int>& count;
+};
+
+TEST_P(Conformance, the_first_error_reaches_the_caller_after_all_stopped_and_the_next_run_works) {
   for (const int threads : {1, 2, 4}) {
     const auto scheduler = make_scheduler(GetParam(), threads);
-    for (const size_t bad : {0, 57, 99}) {
+    for (const size_t bad : {0, 11, 19}) {
       WorkerLog log(threads);
       std::atomic<int> running{0};
+      const auto body = [&](size_t begin, size_t end, int) {
+        const Inside inside(running);
+        if (begin <= bad && bad < end) throw std::runtime_error("item " + std::to_string(bad));
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));  // still inside when the other throws
+      };
       try {
-        scheduler->run(
-            {100}, {},
-            [&](size_t begin, size_t end, int) {
-              running++;
-              const bool throws = begin <= bad && bad < end;
-              running--;
-              if (throws) throw std::runtime_error("item " + std::to_string(bad));
-            },
-            log);
+        scheduler->run({20}, {}, body, log);
         ADD_FAILURE() << "nothing was thrown";
       } catch (const std::runtime_error& error) {
+        EXPECT_EQ(running, 0) << "the error came before all workers stopped";
         EXPECT_EQ(error.what(), "item " + std::to_string(bad));
       }
-      EXPECT_EQ(running, 0) << "the error came before all workers stopped";
       std::atomic<size_t> items{0};
       WorkerLog after(threads);
       scheduler->run(
@@ -163,6 +166,15 @@ TEST_P(Conformance, chunks_are_as_large_as_asked_where_the_scheduler_decides_the
       log);
   EXPECT_EQ(sizes.count(16), 6u);
   EXPECT_EQ(sizes.count(4), 1u);
+}
+
+TEST(worker_log, calls_by_item_are_counted_as_runs_of_successive_items) {
+  WorkerLog log(1);
+  for (const size_t i : {0, 1, 2, 10, 11, 3}) log.ran(0, i, i + 1, true);
+  EXPECT_EQ(log.entries()[0].chunks, 3u);
+  WorkerLog single(1);
+  for (const size_t i : {0, 1, 2}) single.ran(0, i, i + 1, false);
+  EXPECT_EQ(single.entries()[0].chunks, 3u);
 }
 
 TEST(thread_chunks, makes_k_near_equal_chunks_for_each_thread) {

@@ -57,6 +57,35 @@ TYPED_TEST(Slab, boxes_behind_are_missed_and_boxes_around_are_met) {
   EXPECT_TRUE(meets<T>({T(0.5), T(0.5), T(0.5)}, {0, 0, 1}));
 }
 
+TYPED_TEST(Slab, no_box_that_the_exact_ray_meets_is_lost) {
+  using T = TypeParam;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<T> uniform(-1, 1);
+  int met = 0;
+  for (int i = 0; i < 300000; ++i) {
+    // Boxes as flat and as far away as triangles are, aimed at by a ray that really passes through a point of
+    // them.
+    Box<T> box;
+    const Vec3<T> corner(uniform(random) * 100, uniform(random) * 100, uniform(random) * 100);
+    box.include(corner);
+    box.include(corner +
+                Vec3<T>(std::abs(uniform(random)), i % 3 == 0 ? 0 : std::abs(uniform(random)), T(1e-3)));
+    const Ray<T> ray{{uniform(random), uniform(random), uniform(random)}, normalize(box.centre())};
+    using Exact = long double;
+    Exact enter = 0, leave = std::numeric_limits<Exact>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Exact o = ray.origin[axis], d = ray.direction[axis];
+      const Exact a = (box.lower()[axis] - o) / d, b = (box.upper()[axis] - o) / d;
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    if (enter > leave) continue;
+    met++;
+    ASSERT_FALSE(slab(box, SlabRay<T>(ray)).empty());
+  }
+  EXPECT_GT(met, 1000);
+}
+
 TYPED_TEST(Slab, a_larger_box_never_has_the_smaller_interval) {
   using T = TypeParam;
   std::mt19937 random(7);

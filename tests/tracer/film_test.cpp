@@ -7,6 +7,15 @@
 #include <fstream>
 #include <sstream>
 
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
 namespace raysweep {
 namespace {
 
@@ -36,6 +45,22 @@ TEST(film, a_png_is_written_whole_with_its_size) {
   EXPECT_EQ(big_endian(20), 5);
   EXPECT_NE(png.find("IEND"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+  std::filesystem::remove(file);
+}
+
+TEST(film, a_png_holds_the_colours_as_srgb_where_they_are) {
+  Film film(2, 2);
+  film.at(0, 0) = {1, 0, 0};
+  film.at(1, 0) = {0, 0.5f, 2};              // 0.5 is 188 in sRGB (IEC 61966-2-1); 2 is clamped
+  film.at(0, 1) = {-1, 0.002f, 0.0031308f};  // 0.002 · 12.92 · 255 = 6.6
+  const auto file = std::filesystem::temp_directory_path() / "raysweep_film_colours.png";
+  write_png(film, file.string());
+  int width = 0, height = 0, channels = 0;
+  unsigned char* const bytes = stbi_load(file.c_str(), &width, &height, &channels, 3);
+  ASSERT_NE(bytes, nullptr);
+  EXPECT_EQ((std::vector<int>(bytes, bytes + 12)),
+            (std::vector<int>{255, 0, 0, 0, 188, 255, 0, 7, 10, 0, 0, 0}));
+  stbi_image_free(bytes);
   std::filesystem::remove(file);
 }
 

@@ -57,6 +57,82 @@ TEST(hits, all_cores_and_hierarchies_agree_where_shapes_coincide) {
   });
 }
 
+/// The hit by the methods alone: no box, no tree, no `accept`.
+template <class T, class Method>
+Hit<T> plain_hit(const Scene& scene, const Ray<T>& ray) {
+  Hit<T> nearest = Hit<T>::none();
+  uint32_t id = 0;
+  const auto keep = [&](std::optional<T> t) {
+    if (t && Hit<T>{*t, id}.before(nearest)) nearest = {*t, id};
+    id++;
+  };
+  for (const Plane& p : scene.planes) keep(intersect_plane(ray, Vec3<T>(p.normal), static_cast<T>(p.offset)));
+  for (const Sphere& s : scene.spheres)
+    keep(intersect_sphere(ray, Vec3<T>(s.centre), static_cast<T>(s.radius)));
+  for (const Mesh& mesh : scene.meshes) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto hit = Method::intersect(
+          ray, Method::prepare(Triangle<T>{Vec3<T>(mesh.vertices[a]), Vec3<T>(mesh.vertices[b]),
+                                           Vec3<T>(mesh.vertices[c])}));
+      keep(hit ? std::optional<T>(hit->t) : std::nullopt);
+    }
+  }
+  return nearest;
+}
+
+/// `accept` may move a hit by rounding, and may drop one that grazes its triangle's border; it must not lose
+/// surfaces.
+TEST(hits, accepting_by_boxes_changes_distances_by_rounding_only) {
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    const Scene scene = built_in.make(2);
+    const ScalarCore<float, MollerTrumbore> core(scene, "sah", 4);
+    int hits = 0;
+    for (const char* kind : {"primary", "reflected"}) {
+      for (const auto& test : make_rays<float>(scene, core, kind, 2000)) {
+        const auto plain = plain_hit<float, MollerTrumbore>(scene, test.ray);
+        const auto hit = core.closest(test.ray);
+        ASSERT_EQ(plain.is_none(), !hit);
+        if (!hit) continue;
+        hits++;
+        ASSERT_NEAR(hit->t, plain.t, 1e-5f * (1 + plain.t));
+      }
+    }
+    EXPECT_GT(hits, 500);
+  }
+}
+
+/// Counts its tests: what a core visits.
+struct CountingMethod : MollerTrumbore {
+  static inline int tests = 0;
+  template <class T>
+  static std::optional<TriangleHit<T>> intersect(const Ray<T>& ray, const Prepared<T>& triangle) {
+    tests++;
+    return MollerTrumbore::intersect(ray, triangle);
+  }
+};
+
+TEST(m11, visits_every_leaf_that_the_ray_passes_where_the_scalar_core_stops_at_the_nearest) {
+  Scene scene;
+  scene.materials = {{}};
+  Mesh mesh;
+  constexpr uint32_t walls = 100;
+  for (uint32_t i = 0; i < walls; ++i) {
+    const auto z = static_cast<float>(i);
+    mesh.vertices.insert(mesh.vertices.end(), {{-1, -1, z}, {2, -1, z}, {-1, 2, z}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  scene.meshes = {mesh};
+  const Ray<float> through_all{{0, 0, -1}, {0, 0, 1}};
+  const auto count = [&](const auto& core) {
+    CountingMethod::tests = 0;
+    EXPECT_EQ(core.closest(through_all)->t, 1);
+    return CountingMethod::tests;
+  };
+  EXPECT_EQ(count(M11Core<float, CountingMethod>(scene, "median", 1)), static_cast<int>(walls));
+  EXPECT_EQ(count(ScalarCore<float, CountingMethod>(scene, "median", 1)), 1);
+  EXPECT_EQ(count(ScalarCore<float, CountingMethod>(scene, "none", 1)), static_cast<int>(walls));
+}
+
 TEST(hits, of_equal_distances_the_lower_id_wins) {
   const Scene scene = mixed_scene();
   const ScalarCore<float, MollerTrumbore> scalar(scene, "sah", 1);

@@ -113,7 +113,7 @@ TEST(frame_meshes, every_vertex_of_a_framed_mesh_is_in_the_picture) {
     const Vec3d forward = normalize(c.target - c.position), right = normalize(cross(forward, c.up)),
                 up = cross(right, forward);
     double widest = 0;
-    for (const Vec3f& v : mesh.vertices) {
+    for (const Vec3f& v : scene.meshes[0].vertices) {
       const Vec3d to = Vec3d(v) - c.position;
       const double depth = dot(to, forward), limit = std::tan(c.half_angle);
       ASSERT_GT(depth, 0);
@@ -123,6 +123,16 @@ TEST(frame_meshes, every_vertex_of_a_framed_mesh_is_in_the_picture) {
     EXPECT_LT(widest, 1) << "outside";
     EXPECT_GT(widest, 0.5) << "lost in the middle";
   }
+}
+
+TEST(frame_meshes, a_mesh_far_out_is_moved_to_the_origin) {
+  Mesh mesh;
+  mesh.vertices = {{1e6f, 0, 0}, {1e6f + 2, 0, 0}, {1e6f, 2, 2}};
+  mesh.triangles = {{0, 1, 2}};
+  const Scene scene = frame_meshes("far", {mesh}, 1);
+  EXPECT_EQ(scene.meshes[0].vertices[0], Vec3f(-1, -1, -1));
+  EXPECT_EQ(scene.meshes[0].vertices[1], Vec3f(1, -1, -1));
+  EXPECT_LT(length(scene.camera.position), 20);
 }
 
 TEST(load_scene, an_unknown_scene_is_told_with_the_known_ones) {

@@ -17,7 +17,11 @@ Scene frame_meshes(std::string name, std::vector<Mesh> meshes, int light_count) 
   for (const Mesh& mesh : meshes) box.include(bounds_of(mesh));
   scene.meshes = std::move(meshes);
 
-  const Vec3d centre = box.centre();
+  // Around the origin floats are finest: a small thing far out keeps its shadows.
+  const Vec3d centre(0, 0, 0), shift = box.centre();
+  for (Mesh& mesh : scene.meshes) {
+    for (Vec3f& vertex : mesh.vertices) vertex = Vec3f(Vec3d(vertex) - shift);
+  }
   // The sphere around the box, a little larger, fills the smaller side of a 4:3 picture; a mesh of no extent
   // still needs a distance to look from.
   const double radius = std::max(0.5 * length(box.size()), 1e-6 * std::max(1.0, max_abs(centre)));

@@ -34,8 +34,8 @@ struct SceneError : std::runtime_error {
 /// Why mesh files cannot be read here; empty if they can.
 [[nodiscard]] std::string why_no_mesh_files();
 
-/// `meshes` in a plain light surface before a pale background, with a camera that frames them from the front
-/// left.
+/// `meshes`, moved to the origin, in a plain light surface before a pale background, with a camera that
+/// frames them from the front left in pictures that are no higher than wide.
 [[nodiscard]] Scene frame_meshes(std::string name, std::vector<Mesh> meshes, int light_count);
 
 }  // namespace raysweep
