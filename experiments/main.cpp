@@ -19,8 +19,8 @@ int refuse(const char* sentence) {
 
 int run_command(int argc, char** argv) {
   CommandLine line;
-  add_all_verbs(line);
   try {
+    add_all_verbs(line);
     refuse_unknown_verb(line, argc, argv);
     line.app.parse(argc, argv);
     return line.action();

@@ -25,7 +25,7 @@ namespace {
 unsigned char to_srgb_byte(float linear) {
   const float c = std::clamp(linear, 0.0f, 1.0f);
   const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
-  return static_cast<unsigned char>(encoded * 255 + 0.5f);
+  return static_cast<unsigned char>(std::lround(encoded * 255));
 }
 
 void append(void* bytes, void* data, int size) {

@@ -61,19 +61,19 @@ class M11Core {
   };
   struct PlaneObject final : Object {
     using Object::Object;
-    std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>&) const override {
+    [[nodiscard]] std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>&) const override {
       return this->all.intersect_plane(this->id, ray);
     }
   };
   struct SphereObject final : Object {
     using Object::Object;
-    std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
+    [[nodiscard]] std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
       return this->all.intersect_sphere(this->id, ray, slab_ray);
     }
   };
   struct TriangleObject final : Object {
     using Object::Object;
-    std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
+    [[nodiscard]] std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
       return this->all.intersect_triangle(this->id, this->all.triangle(this->id), ray, slab_ray);
     }
   };
@@ -85,12 +85,12 @@ class M11Core {
     Objects objects;  // of a leaf
   };
 
-  std::unique_ptr<Object> make_object(uint32_t id) const {
+  [[nodiscard]] std::unique_ptr<Object> make_object(uint32_t id) const {
     if (id < primitives_.first_triangle()) return std::make_unique<SphereObject>(primitives_, id);
     return std::make_unique<TriangleObject>(primitives_, id);
   }
 
-  std::unique_ptr<TreeNode> grow(const Hierarchy<T>& tree, uint32_t index) const {
+  [[nodiscard]] std::unique_ptr<TreeNode> grow(const Hierarchy<T>& tree, uint32_t index) const {
     const Node<T>& flat = tree.nodes[index];
     auto node = std::make_unique<TreeNode>();
     node->box = flat.box;

@@ -65,7 +65,7 @@ class ScalarCore {
     uint32_t id;
   };
 
-  Item make_item(uint32_t id) const {
+  [[nodiscard]] Item make_item(uint32_t id) const {
     if (id < primitives_.first_triangle()) return {{}, id};
     return {primitives_.triangle(id), id};
   }
