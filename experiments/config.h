@@ -48,6 +48,7 @@ struct MachineSize {
                                  const MachineSize& machine);
 
 /// "1..4", "cores", "pus", "1..2*pus" or "8" as a list of numbers; empty if it is none of these or descends.
+/// What refers to the machine never exceeds the largest thread count.
 [[nodiscard]] std::vector<int> expand_range(const std::string& text, const MachineSize& machine);
 
 /// "10 min", "90 s", "2 h" in seconds; 0 if it is none of these.

@@ -1,9 +1,11 @@
 // The little languages inside config values.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "experiments/config.h"
 #include "experiments/numbers.h"
+#include "schedulers/registry.h"
 
 namespace raysweep {
 
@@ -17,13 +19,16 @@ std::optional<int> range_end(std::string_view text, const MachineSize& machine) 
   std::optional<long long> value;
   const size_t star = text.find('*');
   if (text == "cores") {
-    value = machine.cores;
+    value = std::min(machine.cores, max_threads);
   } else if (text == "pus") {
-    value = machine.pus;
+    value = std::min(machine.pus, max_threads);
   } else if (star != std::string_view::npos) {
     const auto factor = range_end(text.substr(0, star), machine),
                of = range_end(text.substr(star + 1), machine);
     if (factor && of) value = static_cast<long long>(*factor) * *of;
+    // "2*pus" asks for what can be had: a machine of 768 processors must not make its config invalid.
+    const bool of_machine = text.ends_with("cores") || text.ends_with("pus");
+    if (value && of_machine) value = std::min<long long>(*value, max_threads);
   } else {
     value = parse_number<int>(text);
   }

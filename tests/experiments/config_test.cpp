@@ -139,6 +139,13 @@ TEST(ranges, refer_to_the_machine) {
     EXPECT_TRUE(expand_range(bad, machine).empty()) << bad;
 }
 
+TEST(ranges, that_refer_to_a_very_large_machine_stop_at_the_largest_thread_count) {
+  constexpr MachineSize large{768, 1536};
+  EXPECT_EQ(expand_range("cores", large), (std::vector<int>{768}));
+  EXPECT_EQ(expand_range("pus", large), (std::vector<int>{1024}));
+  EXPECT_EQ(expand_range("2*cores", large), (std::vector<int>{1024}));
+}
+
 TEST(durations, have_a_unit) {
   EXPECT_EQ(parse_duration("90 s"), 90);
   EXPECT_EQ(parse_duration("1.5 min"), 90);
