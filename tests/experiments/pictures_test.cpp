@@ -3,20 +3,13 @@
 
 #include "experiments/render_job.h"
 #include "schedulers/registry.h"
+#include "tests/schedulers/available.h"
 
 namespace raysweep {
 namespace {
 
-std::vector<std::string> available() {
-  std::vector<std::string> names;
-  for (const SchedulerInfo& info : all_schedulers()) {
-    if (why_unavailable(info.family).empty()) names.emplace_back(info.name);
-  }
-  return names;
-}
-
 class Pictures : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(registry, Pictures, testing::ValuesIn(available()),
+INSTANTIATE_TEST_SUITE_P(registry, Pictures, testing::ValuesIn(available_schedulers()),
                          [](const auto& i) { return i.param; });
 
 Cell small_cell() {

@@ -8,24 +8,17 @@
 #include <thread>
 
 #include "schedulers/registry.h"
+#include "tests/schedulers/available.h"
 
 namespace raysweep {
 namespace {
-
-std::vector<std::string> available() {
-  std::vector<std::string> names;
-  for (const SchedulerInfo& info : all_schedulers()) {
-    if (why_unavailable(info.family).empty()) names.emplace_back(info.name);
-  }
-  return names;
-}
 
 class Conformance : public testing::TestWithParam<std::string> {
  public:
   [[nodiscard]] const SchedulerInfo& info() const { return *find_scheduler(GetParam()); }
   [[nodiscard]] int workers(int threads) const { return info().uses_threads ? threads : 1; }
 };
-INSTANTIATE_TEST_SUITE_P(registry, Conformance, testing::ValuesIn(available()),
+INSTANTIATE_TEST_SUITE_P(registry, Conformance, testing::ValuesIn(available_schedulers()),
                          [](const auto& i) { return i.param; });
 
 const std::vector<Chunk> chunks{{1, false},    {3, false},         {7, false}, {16, false},
