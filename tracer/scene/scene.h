@@ -14,16 +14,24 @@ namespace raysweep {
 /// Linear red, green, blue; 1 is the brightest that a picture file holds.
 using Colour = Vec3d;
 
-/// Phong's local model (Morozov 2011): `k_ambient·ambient·I_a + Σ visible·I·(k_diffuse·diffuse·N·L +
-/// k_specular·specular·(R·V)^exponent)`, plus `k_reflect` times what a mirror would show.
+/// Phong's local model (Morozov 2011), and what passes on: `k_ambient·ambient·I_a + Σ visible·I·
+/// (k_diffuse·diffuse·N·L + k_specular·specular·(R·V)^exponent) + k_reflect·I_reflected +
+/// k_refract·filter·I_refracted`. Colours and coefficients are ≥ 0. A surface with `k_refract` > 0 bounds a
+/// medium; any other is opaque.
 struct Material {
   Colour ambient{1, 1, 1}, diffuse{1, 1, 1}, specular{1, 1, 1};
   double k_ambient = 0.1, k_diffuse = 0.7, k_specular = 0.3;
   double exponent = 32;
   double k_reflect = 0;
+  double k_refract = 0;    // the share that passes through the surface
+  Colour filter{1, 1, 1};  // the colour that passing through the surface once leaves of white
+  double ior = 1.5;        // refractive index of the medium inside, against 1 outside of all media
+  bool fresnel = false;    // the share `k_refract·F(angle)` is reflected instead of refracted
+  int priority = 0;        // where media overlap, the highest one is there; of equals, the smallest object
 };
 
-/// Points X with `normal·X + offset = 0`; `normal` of length 1.
+/// Points X with `normal·X + offset = 0`; `normal` of length 1. Of a material that refracts, the medium is
+/// where `normal·X + offset < 0`.
 struct Plane {
   Vec3d normal;
   double offset;
@@ -37,7 +45,8 @@ struct Sphere {
 };
 
 /// An indexed triangle mesh; both sides are visible. Every index is below `vertices.size()`, every vertex
-/// finite.
+/// finite. Of a material that refracts, a closed mesh bounds a medium, whichever way its triangles wind; one
+/// that does not close is a thin sheet, which rays pass without bending.
 struct Mesh {
   std::string name;
   std::vector<Vec3f> vertices;
