@@ -31,16 +31,16 @@ RenderJob::RenderJob(const Cell& cell)
       film_(cell.settings.width, cell.settings.height),
       tiles_(cut(parse_item(cell.item).value(), cell.settings.width, cell.settings.height)),
       log_(cell.threads),
-      rays_(static_cast<size_t>(cell.threads)) {
+      counts_(static_cast<size_t>(cell.threads)) {
   const Scene scene = load_scene(cell.scene, cell.lights);
   const double begin = now_seconds();
   renderer_ = make_renderer(scene, cell.settings);
   build_seconds_ = now_seconds() - begin;
   scheduler_ = make_scheduler(cell.scheduler, cell.threads);
   body_ = [this](size_t first, size_t last, int worker) {
-    RayCounts rays;
-    for (size_t i = first; i < last; ++i) rays += renderer_->render(tiles_[i], film_);
-    rays_[static_cast<size_t>(worker)].rays += rays;
+    RenderCounts counts;
+    for (size_t i = first; i < last; ++i) counts += renderer_->render(tiles_[i], film_);
+    counts_[static_cast<size_t>(worker)].counts += counts;
   };
 }
 
@@ -50,12 +50,12 @@ void RenderJob::reset() {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   film_.fill({nan, nan, nan});
   log_ = WorkerLog(threads_);
-  for (WorkerRays& entry : rays_) entry = {};
+  for (WorkerCounts& entry : counts_) entry = {};
 }
 
-RayCounts RenderJob::rays() const {
-  RayCounts sum;
-  for (const WorkerRays& entry : rays_) sum += entry.rays;
+RenderCounts RenderJob::counts() const {
+  RenderCounts sum;
+  for (const WorkerCounts& entry : counts_) sum += entry.counts;
   return sum;
 }
 

@@ -26,13 +26,15 @@ class RenderJob {
   [[nodiscard]] const Film& film() const { return film_; }
   [[nodiscard]] const WorkerLog& log() const { return log_; }
   /// Rays of all frames since the last reset.
-  [[nodiscard]] RayCounts rays() const;
+  [[nodiscard]] RayCounts rays() const { return counts().rays; }
+  /// Rays and what was left out, of all frames since the last reset.
+  [[nodiscard]] RenderCounts counts() const;
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
 
  private:
   /// A cache line of its own for each worker.
-  struct alignas(128) WorkerRays {
-    RayCounts rays;
+  struct alignas(128) WorkerCounts {
+    RenderCounts counts;
   };
 
   int threads_;
@@ -42,7 +44,7 @@ class RenderJob {
   std::unique_ptr<const Renderer> renderer_;
   std::unique_ptr<Scheduler> scheduler_;
   WorkerLog log_;
-  std::vector<WorkerRays> rays_;
+  std::vector<WorkerCounts> counts_;
   Body body_;
   double build_seconds_ = 0;
 };

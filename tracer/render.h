@@ -6,25 +6,11 @@
 #include <memory>
 
 #include "tracer/film.h"
+#include "tracer/render_counts.h"
 #include "tracer/scene/scene.h"
 #include "tracer/settings.h"
 
 namespace raysweep {
-
-/// Rays by what sent them out.
-struct RayCounts {
-  uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0;
-
-  [[nodiscard]] uint64_t total() const { return primary + shadow + reflected + refracted; }
-  RayCounts& operator+=(const RayCounts& other) {
-    primary += other.primary;
-    shadow += other.shadow;
-    reflected += other.reflected;
-    refracted += other.refracted;
-    return *this;
-  }
-  friend bool operator==(const RayCounts&, const RayCounts&) = default;
-};
 
 /// Pixels `x … x + width − 1`, `y … y + height − 1`, counted from the picture's upper left corner.
 struct Tile {
@@ -37,7 +23,11 @@ class Renderer {
  public:
   virtual ~Renderer() = default;
   /// Writes the tile's pixels into `film`, which must have the settings' size. One virtual call a tile.
-  virtual RayCounts render(const Tile& tile, Film& film) const = 0;
+  virtual RenderCounts render(const Tile& tile, Film& film) const = 0;
+  /// Id of the primitive that the ray through the centre of pixel (x, y) meets first, or `no_hit`.
+  [[nodiscard]] virtual uint32_t first_hit(int x, int y) const = 0;
+
+  static constexpr uint32_t no_hit = ~0u;
 };
 
 /// Builds geometry and hierarchy. Throws std::invalid_argument if a name in `settings` is unknown.

@@ -13,6 +13,9 @@ struct RenderSettings {
   int subpixels = 1;              // samples a pixel
   std::string pattern = "grid";
   int depth = 4;  // primary hits are depth 1, each bounce adds one
+  // No channel of a pixel may lose more than this (film units) by ending paths early; 0 ends none.
+  double pixel_tolerance = 0;
+  int branches = 1024;  // rays a sample may trace where hits send out two: all, up to depth 10
   std::string accel = "sah";
   int leaf = 4;  // primitives a leaf holds at most
   std::string core = "scalar";
@@ -26,7 +29,7 @@ struct Range {
   [[nodiscard]] bool contains(long long v) const { return v >= low && v <= high; }
 };
 inline constexpr Range width_range{1, 32768}, height_range{1, 32768}, subpixels_range{1, 65536},
-    depth_range{1, 1024}, leaf_range{1, 1 << 24}, lights_range{0, 64};
+    depth_range{1, 1024}, branches_range{1, 1 << 20}, leaf_range{1, 1 << 24}, lights_range{0, 64};
 
 /// A published combination of picture size and effort (Morozov 2011, 5.4).
 struct Mode {

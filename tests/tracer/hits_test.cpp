@@ -67,8 +67,14 @@ Hit<T> plain_hit(const Scene& scene, const Ray<T>& ray) {
     id++;
   };
   for (const Plane& p : scene.planes) keep(intersect_plane(ray, Vec3<T>(p.normal), static_cast<T>(p.offset)));
-  for (const Sphere& s : scene.spheres)
-    keep(intersect_sphere(ray, Vec3<T>(s.centre), static_cast<T>(s.radius)));
+  for (const Sphere& s : scene.spheres) {
+    const auto hit = intersect_sphere(ray, Vec3<T>(s.centre), static_cast<T>(s.radius));
+    if (!hit || hit->leave <= 0) {
+      keep(std::nullopt);
+    } else {
+      keep(hit->enter > 0 ? hit->enter : hit->leave);
+    }
+  }
   for (const Mesh& mesh : scene.meshes) {
     for (const auto& [a, b, c] : mesh.triangles) {
       const auto hit = Method::intersect(

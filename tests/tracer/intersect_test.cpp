@@ -108,9 +108,11 @@ TYPED_TEST_SUITE(Solids, Reals);
 TYPED_TEST(Solids, a_sphere_is_hit_at_its_nearer_root_from_outside_and_at_its_farther_from_inside) {
   using T = TypeParam;
   const Vec3<T> centre(1, 2, 3);
-  EXPECT_NEAR(*intersect_sphere<T>({{1, 2, -7}, {0, 0, 1}}, centre, 2), T(8), T(1e-5));
-  EXPECT_NEAR(*intersect_sphere<T>({{1, 2, 3}, {0, 0, 1}}, centre, 2), T(2), T(1e-5));
-  EXPECT_FALSE(intersect_sphere<T>({{1, 2, 7}, {0, 0, 1}}, centre, 2)) << "behind";
+  EXPECT_NEAR((intersect_sphere<T>({{1, 2, -7}, {0, 0, 1}}, centre, 2)->enter), T(8), T(1e-5));
+  EXPECT_NEAR((intersect_sphere<T>({{1, 2, -7}, {0, 0, 1}}, centre, 2)->leave), T(12), T(1e-5));
+  EXPECT_NEAR((intersect_sphere<T>({{1, 2, 3}, {0, 0, 1}}, centre, 2)->leave), T(2), T(1e-5));
+  EXPECT_LT((intersect_sphere<T>({{1, 2, 3}, {0, 0, 1}}, centre, 2)->enter), 0);
+  EXPECT_LT((intersect_sphere<T>({{1, 2, 7}, {0, 0, 1}}, centre, 2)->leave), 0) << "behind";
   EXPECT_FALSE(intersect_sphere<T>({{1, 5, -7}, {0, 0, 1}}, centre, 2)) << "beside";
 }
 
@@ -119,7 +121,7 @@ TYPED_TEST(Solids, a_small_far_sphere_keeps_its_digits) {
   // The textbook discriminant b² − 4ac loses r² = 1e-4 against |f|² = 1e8 in float.
   const auto t = intersect_sphere<T>({{0, 0, 0}, {0, 0, 1}}, {T(0.005), 0, 10000}, T(0.01));
   ASSERT_TRUE(t);
-  EXPECT_NEAR(*t, T(10000), T(0.02));
+  EXPECT_NEAR(t->enter, T(10000), T(0.02));
   EXPECT_FALSE(intersect_sphere<T>({{0, 0, 0}, {0, 0, 1}}, {T(0.02), 0, 10000}, T(0.01)));
 }
 

@@ -33,7 +33,7 @@ std::vector<RenderSettings> all_variants() {
 /// The only pixel: what the camera's axis sees.
 Vec3f central_colour(const Scene& scene, const RenderSettings& settings, RayCounts* rays = nullptr) {
   Film film(1, 1);
-  const RayCounts counts = make_renderer(scene, settings)->render({0, 0, 1, 1}, film);
+  const RayCounts counts = make_renderer(scene, settings)->render({0, 0, 1, 1}, film).rays;
   if (rays) *rays = counts;
   return film.at(0, 0);
 }
@@ -163,8 +163,8 @@ TEST(render, a_picture_in_tiles_is_the_picture_in_one) {
   s.height = 37;
   const auto renderer = make_renderer(load_scene("studio", 1), s);
   Film whole(50, 37), tiled(50, 37);
-  const RayCounts rays = renderer->render({0, 0, 50, 37}, whole);
-  RayCounts sum;
+  const RenderCounts rays = renderer->render({0, 0, 50, 37}, whole);
+  RenderCounts sum;
   for (int y = 0; y < 37; y += 8) {
     for (int x = 0; x < 50; x += 8)
       sum += renderer->render({x, y, std::min(8, 50 - x), std::min(8, 37 - y)}, tiled);

@@ -33,48 +33,61 @@ class M11Core {
 
   [[nodiscard]] const Primitives<T, Method>& primitives() const { return primitives_; }
 
-  /// The nearest hit with t > 0.
-  [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray) const {
-    const SlabRay<T> slab_ray(ray);
-    Hit<T> nearest = nearest_of(unbounded_, ray, slab_ray);
+  /// The first hit after `after` with t ≤ `t_max`. A ray with a number that is not finite hits nothing.
+  [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, const Hit<T>& after = Hit<T>::start(),
+                                              T t_max = std::numeric_limits<T>::infinity()) const {
+    if (!is_finite(ray)) return std::nullopt;
+    const Query query(ray, after);
+    Hit<T> nearest = nearest_of(unbounded_, query);
     if (root_) {
-      const Hit<T> inside = closest_in(*root_, ray, slab_ray);
+      const Hit<T> inside = closest_in(*root_, query);
       if (inside.before(nearest)) nearest = inside;
     }
-    if (nearest.is_none()) return std::nullopt;
+    if (!nearest.before(Hit<T>::none(t_max))) return std::nullopt;
     return nearest;
   }
 
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
-    const SlabRay<T> slab_ray(ray);
-    return any_of(unbounded_, ray, slab_ray, t_max) || (root_ && occluded_in(*root_, ray, slab_ray, t_max));
+    return occluded_by(ray, t_max, [](uint32_t) { return true; });
+  }
+
+  /// Whether anything opaque is hit with 0 < t < t_max.
+  [[nodiscard]] bool occluded_by_opaque(const Ray<T>& ray, T t_max) const {
+    return occluded_by(ray, t_max, [this](uint32_t id) { return primitives_.is_opaque(id); });
   }
 
  private:
+  struct Query {
+    Query(const Ray<T>& asked, const Hit<T>& first) : ray(asked), slab_ray(asked), after(first) {}
+    Ray<T> ray;
+    SlabRay<T> slab_ray;
+    Hit<T> after;
+  };
   struct Object {
     Object(const Primitives<T, Method>& primitives, uint32_t number) : all(primitives), id(number) {}
     virtual ~Object() = default;
-    [[nodiscard]] virtual std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const = 0;
+    [[nodiscard]] virtual std::optional<T> intersect(const Query& query) const = 0;
     const Primitives<T, Method>& all;
     const uint32_t id;
   };
   struct PlaneObject final : Object {
     using Object::Object;
-    [[nodiscard]] std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>&) const override {
-      return this->all.intersect_plane(this->id, ray);
+    [[nodiscard]] std::optional<T> intersect(const Query& query) const override {
+      return this->all.intersect_plane(this->id, query.ray, query.after);
     }
   };
   struct SphereObject final : Object {
     using Object::Object;
-    [[nodiscard]] std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
-      return this->all.intersect_sphere(this->id, ray, slab_ray);
+    [[nodiscard]] std::optional<T> intersect(const Query& query) const override {
+      return this->all.intersect_sphere(this->id, query.ray, query.slab_ray, query.after);
     }
   };
   struct TriangleObject final : Object {
     using Object::Object;
-    [[nodiscard]] std::optional<T> intersect(const Ray<T>& ray, const SlabRay<T>& slab_ray) const override {
-      return this->all.intersect_triangle(this->id, this->all.triangle(this->id), ray, slab_ray);
+    [[nodiscard]] std::optional<T> intersect(const Query& query) const override {
+      return this->all.intersect_triangle(this->id, this->all.triangle(this->id), query.ray, query.slab_ray,
+                                          query.after);
     }
   };
   using Objects = std::vector<std::unique_ptr<Object>>;
@@ -105,35 +118,45 @@ class M11Core {
     return node;
   }
 
-  static Hit<T> nearest_of(const Objects& objects, const Ray<T>& ray, const SlabRay<T>& slab_ray) {
+  static Hit<T> nearest_of(const Objects& objects, const Query& query) {
     Hit<T> nearest = Hit<T>::none();
     for (const auto& object : objects) {
-      const auto t = object->intersect(ray, slab_ray);
+      const auto t = object->intersect(query);
       if (t && Hit<T>{*t, object->id}.before(nearest)) nearest = {*t, object->id};
     }
     return nearest;
   }
 
-  static Hit<T> closest_in(const TreeNode& node, const Ray<T>& ray, const SlabRay<T>& slab_ray) {
-    if (slab(node.box, slab_ray).empty()) return Hit<T>::none();
-    if (!node.left) return nearest_of(node.objects, ray, slab_ray);
-    const Hit<T> left = closest_in(*node.left, ray, slab_ray);
-    const Hit<T> right = closest_in(*node.right, ray, slab_ray);
+  static Hit<T> closest_in(const TreeNode& node, const Query& query) {
+    if (slab(node.box, query.slab_ray).empty()) return Hit<T>::none();
+    if (!node.left) return nearest_of(node.objects, query);
+    const Hit<T> left = closest_in(*node.left, query);
+    const Hit<T> right = closest_in(*node.right, query);
     return right.before(left) ? right : left;
   }
 
-  static bool any_of(const Objects& objects, const Ray<T>& ray, const SlabRay<T>& slab_ray, T t_max) {
+  template <class Blocks>
+  [[nodiscard]] bool occluded_by(const Ray<T>& ray, T t_max, const Blocks& blocks) const {
+    if (!is_finite(ray)) return false;
+    const Query query(ray, Hit<T>::start());
+    return any_of(unbounded_, query, t_max, blocks) || (root_ && occluded_in(*root_, query, t_max, blocks));
+  }
+
+  template <class Blocks>
+  static bool any_of(const Objects& objects, const Query& query, T t_max, const Blocks& blocks) {
     for (const auto& object : objects) {
-      const auto t = object->intersect(ray, slab_ray);
+      if (!blocks(object->id)) continue;
+      const auto t = object->intersect(query);
       if (t && *t < t_max) return true;
     }
     return false;
   }
 
-  static bool occluded_in(const TreeNode& node, const Ray<T>& ray, const SlabRay<T>& slab_ray, T t_max) {
-    if (slab(node.box, slab_ray).empty()) return false;
-    if (!node.left) return any_of(node.objects, ray, slab_ray, t_max);
-    return occluded_in(*node.left, ray, slab_ray, t_max) || occluded_in(*node.right, ray, slab_ray, t_max);
+  template <class Blocks>
+  static bool occluded_in(const TreeNode& node, const Query& query, T t_max, const Blocks& blocks) {
+    if (slab(node.box, query.slab_ray).empty()) return false;
+    if (!node.left) return any_of(node.objects, query, t_max, blocks);
+    return occluded_in(*node.left, query, t_max, blocks) || occluded_in(*node.right, query, t_max, blocks);
   }
 
   Primitives<T, Method> primitives_;

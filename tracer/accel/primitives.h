@@ -1,53 +1,16 @@
 // A scene's shapes in one precision, prepared for one intersection method, under one numbering.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "tracer/accel/hit.h"
+#include "tracer/accel/surface.h"
 #include "tracer/intersect/intersector.h"
+#include "tracer/intersect/plane.h"
+#include "tracer/intersect/sphere.h"
 #include "tracer/scene/scene.h"
 
 namespace raysweep {
-
-/// The nearest thing that a ray meets: at distance `t`, with primitive id `id`.
-template <class T>
-struct Hit {
-  T t;
-  uint32_t id;
-
-  /// The one rule of all cores: of two hits at equal `t` the lower id wins.
-  [[nodiscard]] bool before(const Hit& other) const { return t < other.t || (t == other.t && id < other.id); }
-  /// What every hit comes before.
-  [[nodiscard]] static Hit none() { return {std::numeric_limits<T>::infinity(), ~0u}; }
-  [[nodiscard]] bool is_none() const { return id == ~0u; }
-};
-
-template <class T>
-[[nodiscard]] std::optional<T> intersect_plane(const Ray<T>& ray, const Vec3<T>& normal, T offset) {
-  const T t = -(dot(normal, ray.origin) + offset) / dot(normal, ray.direction);
-  if (!(t > 0 && t < std::numeric_limits<T>::infinity())) return std::nullopt;
-  return t;
-}
-
-/// The smallest positive root. The discriminant is taken from the distance between centre and ray, and the
-/// second root from the product of both, so that far and small spheres keep their digits (Haines, Günther &
-/// Akenine-Möller 2019, "Precision improvements for ray/sphere intersection").
-template <class T>
-[[nodiscard]] std::optional<T> intersect_sphere(const Ray<T>& ray, const Vec3<T>& centre, T radius) {
-  const Vec3<T> f = ray.origin - centre;
-  const T a = dot(ray.direction, ray.direction);
-  const T b = -dot(f, ray.direction);
-  const Vec3<T> from_centre = f + (b / a) * ray.direction;
-  const T discriminant = radius * radius - dot(from_centre, from_centre);
-  if (!(discriminant >= 0)) return std::nullopt;
-  const T q = b + std::copysign(std::sqrt(a * discriminant), b);
-  const T t0 = (dot(f, f) - radius * radius) / q, t1 = q / a;
-  const T low = std::min(t0, t1), high = std::max(t0, t1);
-  if (low > 0) return low;
-  if (high > 0) return high;
-  return std::nullopt;
-}
 
 /// Ids count planes first, then spheres, then the triangles of one mesh after the other. Spheres and
 /// triangles are bounded: they have a box and live in a hierarchy, where item `i` is primitive
@@ -66,62 +29,72 @@ class Primitives {
   [[nodiscard]] uint32_t count() const { return first_sphere() + static_cast<uint32_t>(boxes_.size()); }
   [[nodiscard]] const std::vector<Box<T>>& boxes() const { return boxes_; }
   [[nodiscard]] uint32_t material(uint32_t id) const { return materials_[id]; }
-  [[nodiscard]] const Prepared& triangle(uint32_t id) const { return triangles_[id - first_triangle()]; }
+  [[nodiscard]] bool is_opaque(uint32_t id) const { return opaque_[materials_[id]] != 0; }
+  [[nodiscard]] const Prepared& triangle(uint32_t id) const { return prepared_[id - first_triangle()]; }
 
-  [[nodiscard]] std::optional<T> intersect_plane(uint32_t id, const Ray<T>& ray) const {
-    return raysweep::intersect_plane(ray, planes_[id].normal, planes_[id].offset);
+  /// The first distance to plane `id` that comes after `after`.
+  [[nodiscard]] std::optional<T> intersect_plane(uint32_t id, const Ray<T>& ray, const Hit<T>& after) const {
+    const PlaneShape<T>& p = planes_[id];
+    const auto t = raysweep::intersect_plane(ray, p.normal, p.offset);
+    if (!t || !after.before({*t, id})) return std::nullopt;
+    return t;
   }
 
-  /// The distance to sphere `id`, accepted by its box.
-  [[nodiscard]] std::optional<T> intersect_sphere(uint32_t id, const Ray<T>& ray,
-                                                  const SlabRay<T>& slab_ray) const {
-    const SphereData& s = spheres_[id - first_sphere()];
-    return accept(id, raysweep::intersect_sphere(ray, s.centre, s.radius), slab_ray);
-  }
-
-  /// The distance to a triangle whose prepared data is at hand, accepted by its box.
-  [[nodiscard]] std::optional<T> intersect_triangle(uint32_t id, const Prepared& prepared, const Ray<T>& ray,
-                                                    const SlabRay<T>& slab_ray) const {
-    const auto hit = Method::intersect(ray, prepared);
+  /// The first distance to sphere `id`, accepted by its box, that comes after `after`.
+  [[nodiscard]] std::optional<T> intersect_sphere(uint32_t id, const Ray<T>& ray, const SlabRay<T>& slab_ray,
+                                                  const Hit<T>& after) const {
+    const SphereShape<T>& s = spheres_[id - first_sphere()];
+    const auto hit = raysweep::intersect_sphere(ray, s.centre, s.radius);
     if (!hit) return std::nullopt;
-    return accept(id, hit->t, slab_ray);
+    const auto enter = accept(id, hit->enter, slab_ray, after);
+    return enter ? enter : accept(id, hit->leave, slab_ray, after);
   }
 
-  /// The surface at `hit`: the point (moved onto the surface where that is cheap) and the unit normal that
-  /// faces the ray.
-  struct Surface {
-    Vec3<T> point, normal;
-  };
-  [[nodiscard]] Surface surface(const Ray<T>& ray, const Hit<T>& hit) const;
+  /// The distance to a triangle whose prepared data is at hand, accepted by its box, if it comes after
+  /// `after`.
+  [[nodiscard]] std::optional<T> intersect_triangle(uint32_t id, const Prepared& prepared, const Ray<T>& ray,
+                                                    const SlabRay<T>& slab_ray, const Hit<T>& after) const {
+    const auto hit = Method::intersect(ray, prepared);
+    if (!hit || !triangles_[id - first_triangle()].is_ahead_of(ray)) return std::nullopt;
+    return accept(id, hit->t, slab_ray, after);
+  }
+
+  /// The surface at `hit`, which must be one of `ray`'s.
+  [[nodiscard]] Surface<T> surface(const Ray<T>& ray, const Hit<T>& hit) const {
+    if (hit.id < first_sphere()) return planes_[hit.id].surface(ray, hit.t);
+    if (hit.id < first_triangle()) return spheres_[hit.id - first_sphere()].surface(ray, hit.t);
+    const auto where = Method::intersect(ray, triangle(hit.id));
+    return triangles_[hit.id - first_triangle()].surface(ray, where->beta, where->gamma);
+  }
+
+  /// How far `point` is from the surface of primitive `id`, triangles taken as their whole planes.
+  [[nodiscard]] T distance(uint32_t id, const Vec3<T>& point) const {
+    if (id < first_sphere()) return std::abs(planes_[id].signed_distance(point));
+    if (id < first_triangle()) return std::abs(spheres_[id - first_sphere()].signed_distance(point));
+    return std::abs(triangles_[id - first_triangle()].signed_distance(point));
+  }
 
  private:
-  struct PlaneData {
-    Vec3<T> normal;
-    T offset;
-  };
-  struct SphereData {
-    Vec3<T> centre;
-    T radius;
-  };
-
   /// A hit counts where the ray meets the primitive's own box, and its distance is held inside that box. The
   /// true hit lies there, so this only takes rounding away; and since every box of a hierarchy encloses the
   /// boxes below it and `slab` is monotone, no traversal can cut such a hit off: brute force and every
   /// hierarchy agree exactly.
-  [[nodiscard]] std::optional<T> accept(uint32_t id, std::optional<T> t, const SlabRay<T>& slab_ray) const {
-    if (!t) return std::nullopt;
+  [[nodiscard]] std::optional<T> accept(uint32_t id, T t, const SlabRay<T>& slab_ray,
+                                        const Hit<T>& after) const {
+    if (!(t > 0)) return std::nullopt;
     const Interval<T> inside = slab(boxes_[id - first_sphere()], slab_ray);
-    const T held = std::min(std::max(*t, inside.enter), inside.leave);
-    if (inside.empty() || !(held > 0)) return std::nullopt;
+    const T held = std::min(std::max(t, inside.enter), inside.leave);
+    if (inside.empty() || !after.before({held, id})) return std::nullopt;
     return held;
   }
 
-  std::vector<PlaneData> planes_;
-  std::vector<SphereData> spheres_;
-  std::vector<Prepared> triangles_;
-  std::vector<Vec3<T>> triangle_normals_;
+  std::vector<PlaneShape<T>> planes_;
+  std::vector<SphereShape<T>> spheres_;
+  std::vector<TriangleShape<T>> triangles_;
+  std::vector<Prepared> prepared_;
   std::vector<Box<T>> boxes_;
-  std::vector<uint32_t> materials_;
+  std::vector<uint32_t> materials_;    // of each primitive
+  std::vector<unsigned char> opaque_;  // of each material
 };
 
 /// `box` grown by a few units in the last place of its coordinates: computed hits stray that far from the
@@ -139,17 +112,18 @@ template <class T>
 
 template <class T, class Method>
 Primitives<T, Method>::Primitives(const Scene& scene) {
+  for (const Material& m : scene.materials) opaque_.push_back(m.k_refract == 0);
   for (const Plane& p : scene.planes) {
-    planes_.push_back({Vec3<T>(p.normal), static_cast<T>(p.offset)});
+    planes_.emplace_back(p);
     materials_.push_back(p.material);
   }
   for (const Sphere& s : scene.spheres) {
-    const SphereData data{Vec3<T>(s.centre), static_cast<T>(s.radius)};
-    const Vec3<T> r(data.radius, data.radius, data.radius);
+    const SphereShape<T> shape(s);
+    const Vec3<T> r(shape.radius, shape.radius, shape.radius);
     Box<T> box;
-    box.include(data.centre - r);
-    box.include(data.centre + r);
-    spheres_.push_back(data);
+    box.include(shape.centre - r);
+    box.include(shape.centre + r);
+    spheres_.push_back(shape);
     boxes_.push_back(padded(box));
     materials_.push_back(s.material);
   }
@@ -160,31 +134,12 @@ Primitives<T, Method>::Primitives(const Scene& scene) {
       box.include(t.a);
       box.include(t.b);
       box.include(t.c);
-      triangles_.push_back(Method::template prepare<T>(t));
-      // In double: in float the squares of a triangle of size 1e-10 are 0.
-      const Vec3d n = cross(Vec3d(t.b) - Vec3d(t.a), Vec3d(t.c) - Vec3d(t.a));
-      const double size = length(n);
-      triangle_normals_.push_back(size > 0 ? Vec3<T>(n * (1 / size)) : Vec3<T>(0, 1, 0));
+      prepared_.push_back(Method::template prepare<T>(t));
+      triangles_.emplace_back(t);
       boxes_.push_back(padded(box));
       materials_.push_back(mesh.material);
     }
   }
-}
-
-template <class T, class Method>
-auto Primitives<T, Method>::surface(const Ray<T>& ray, const Hit<T>& hit) const -> Surface {
-  Vec3<T> point = ray.at(hit.t);
-  Vec3<T> normal;
-  if (hit.id < first_sphere()) {
-    normal = planes_[hit.id].normal;
-  } else if (hit.id < first_triangle()) {
-    const SphereData& s = spheres_[hit.id - first_sphere()];
-    normal = normalize(point - s.centre);
-    point = s.centre + s.radius * normal;
-  } else {
-    normal = triangle_normals_[hit.id - first_triangle()];
-  }
-  return {point, dot(normal, ray.direction) > 0 ? -normal : normal};
 }
 
 }  // namespace raysweep

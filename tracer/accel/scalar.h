@@ -26,15 +26,17 @@ class ScalarCore {
   [[nodiscard]] const Primitives<T, Method>& primitives() const { return primitives_; }
   [[nodiscard]] const Hierarchy<T>& tree() const { return tree_; }
 
-  /// The nearest hit with t > 0.
-  [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray) const {
-    Hit<T> nearest = Hit<T>::none();
+  /// The first hit after `after` with t ≤ `t_max`. A ray with a number that is not finite hits nothing.
+  [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, const Hit<T>& after = Hit<T>::start(),
+                                              T t_max = std::numeric_limits<T>::infinity()) const {
+    if (!is_finite(ray)) return std::nullopt;
+    Hit<T> nearest = Hit<T>::none(t_max);
     for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
-      if (const auto t = primitives_.intersect_plane(id, ray)) keep_nearer(nearest, {*t, id});
+      if (const auto t = primitives_.intersect_plane(id, ray, after)) keep_nearer(nearest, {*t, id});
     }
     const SlabRay<T> slab_ray(ray);
-    traverse(slab_ray, nearest.t, [&](const Item& item, T& limit) {
-      if (const auto t = intersect(item, ray, slab_ray)) {
+    traverse(slab_ray, after.t, nearest.t, [&](const Item& item, T& limit) {
+      if (const auto t = intersect(item, ray, slab_ray, after)) {
         keep_nearer(nearest, {*t, item.id});
         limit = nearest.t;
       }
@@ -46,15 +48,12 @@ class ScalarCore {
 
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
-    for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
-      const auto t = primitives_.intersect_plane(id, ray);
-      if (t && *t < t_max) return true;
-    }
-    const SlabRay<T> slab_ray(ray);
-    return traverse(slab_ray, t_max, [&](const Item& item, T& limit) {
-      const auto t = intersect(item, ray, slab_ray);
-      return t && *t < limit;
-    });
+    return occluded_by(ray, t_max, [](uint32_t) { return true; });
+  }
+
+  /// Whether anything opaque is hit with 0 < t < t_max.
+  [[nodiscard]] bool occluded_by_opaque(const Ray<T>& ray, T t_max) const {
+    return occluded_by(ray, t_max, [this](uint32_t id) { return primitives_.is_opaque(id); });
   }
 
  private:
@@ -74,16 +73,35 @@ class ScalarCore {
     if (hit.before(nearest)) nearest = hit;
   }
 
-  [[nodiscard]] std::optional<T> intersect(const Item& item, const Ray<T>& ray,
-                                           const SlabRay<T>& slab_ray) const {
-    if (item.id < primitives_.first_triangle()) return primitives_.intersect_sphere(item.id, ray, slab_ray);
-    return primitives_.intersect_triangle(item.id, item.prepared, ray, slab_ray);
+  [[nodiscard]] std::optional<T> intersect(const Item& item, const Ray<T>& ray, const SlabRay<T>& slab_ray,
+                                           const Hit<T>& after) const {
+    if (item.id < primitives_.first_triangle())
+      return primitives_.intersect_sphere(item.id, ray, slab_ray, after);
+    return primitives_.intersect_triangle(item.id, item.prepared, ray, slab_ray, after);
   }
 
-  /// Shows `visit(item, limit)` every item whose boxes the ray enters at `t ≤ limit`, roughly near to far;
-  /// `visit` may lower `limit`. Stops and returns true when `visit` does.
+  /// Whether anything with `blocks(id)` is hit with 0 < t < t_max.
+  template <class Blocks>
+  [[nodiscard]] bool occluded_by(const Ray<T>& ray, T t_max, Blocks&& blocks) const {
+    if (!is_finite(ray)) return false;
+    constexpr Hit<T> start = Hit<T>::start();
+    for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
+      if (!blocks(id)) continue;
+      const auto t = primitives_.intersect_plane(id, ray, start);
+      if (t && *t < t_max) return true;
+    }
+    const SlabRay<T> slab_ray(ray);
+    return traverse(slab_ray, T(0), t_max, [&](const Item& item, T& limit) {
+      if (!blocks(item.id)) return false;
+      const auto t = intersect(item, ray, slab_ray, start);
+      return t && *t < limit;
+    });
+  }
+
+  /// Shows `visit(item, limit)` every item whose boxes the ray is inside of at `t_min ≤ t ≤ limit`, roughly
+  /// near to far; `visit` may lower `limit`. Stops and returns true when `visit` does.
   template <class Visit>
-  bool traverse(const SlabRay<T>& slab_ray, T limit, Visit&& visit) const {
+  bool traverse(const SlabRay<T>& slab_ray, T t_min, T limit, Visit&& visit) const {
     const auto visit_range = [&](uint32_t first, uint32_t count) {
       for (uint32_t i = first; i < first + count; ++i) {
         if (visit(leaf_items_[i], limit)) return true;
@@ -100,7 +118,7 @@ class ScalarCore {
     };
     std::array<Entry, max_hierarchy_depth> stack;
     size_t top = 0;
-    if (const Interval<T> inside = slab(nodes[0].box, slab_ray); worth(inside))
+    if (const Interval<T> inside = slab(nodes[0].box, slab_ray, t_min); worth(inside))
       stack[top++] = {0, inside.enter};
     while (top > 0) {
       const Entry entry = stack[--top];
@@ -108,7 +126,8 @@ class ScalarCore {
       uint32_t current = entry.node;
       while (!nodes[current].is_leaf()) {
         const uint32_t left = nodes[current].first;
-        const Interval<T> a = slab(nodes[left].box, slab_ray), b = slab(nodes[left + 1].box, slab_ray);
+        const Interval<T> a = slab(nodes[left].box, slab_ray, t_min),
+                          b = slab(nodes[left + 1].box, slab_ray, t_min);
         const bool in_a = worth(a), in_b = worth(b);
         if (in_a && in_b) {
           const bool a_first = a.enter <= b.enter;

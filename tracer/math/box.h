@@ -38,14 +38,14 @@ struct Box {
   }
 };
 
-/// The part of a ray inside a box: `enter ≤ t ≤ leave`; empty if `enter > leave`. `enter` is never below 0.
+/// The part of a ray inside a box: `enter ≤ t ≤ leave`; empty if `enter > leave`.
 template <class T>
 struct Interval {
   T enter, leave;
   [[nodiscard]] bool empty() const { return !(enter <= leave); }
 };
 
-/// The ray's interval inside `box`.
+/// The interval inside `box` of the ray from `t_min` on.
 ///
 /// Rounding never loses a box that the exact ray meets: `leave` is widened by 1 + 2γ(3), γ(n) = nu/(1 − nu),
 /// u half an ulp of 1 (Ize 2013, "Robust BVH ray traversal"). A ray inside the plane of a face gives 0·inf =
@@ -55,7 +55,7 @@ struct Interval {
 /// (subtraction, multiplication by a constant of fixed sign, min, max, and rounding itself). `accept` in
 /// primitives.h builds on it.
 template <class T>
-[[nodiscard]] inline Interval<T> slab(const Box<T>& box, const SlabRay<T>& ray) {
+[[nodiscard]] inline Interval<T> slab(const Box<T>& box, const SlabRay<T>& ray, T t_min = 0) {
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
   constexpr T widen = 1 + 2 * (3 * u / (1 - 3 * u));
   const T near_x = (box.bounds[ray.negative_x].x - ray.origin.x) * ray.reciprocal.x;
@@ -64,7 +64,7 @@ template <class T>
   const T far_x = (box.bounds[1 - ray.negative_x].x - ray.origin.x) * ray.reciprocal.x;
   const T far_y = (box.bounds[1 - ray.negative_y].y - ray.origin.y) * ray.reciprocal.y;
   const T far_z = (box.bounds[1 - ray.negative_z].z - ray.origin.z) * ray.reciprocal.z;
-  T enter = 0;
+  T enter = t_min;
   enter = near_x > enter ? near_x : enter;
   enter = near_y > enter ? near_y : enter;
   enter = near_z > enter ? near_z : enter;

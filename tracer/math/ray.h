@@ -16,6 +16,13 @@ struct Ray {
   [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
 };
 
+/// Whether every number of `ray` is finite. Others, NaN above all, would pass through every box of a
+/// hierarchy.
+template <class T>
+[[nodiscard]] bool is_finite(const Ray<T>& ray) {
+  return all_finite(ray.origin) && all_finite(ray.direction);
+}
+
 /// A ray with the reciprocals and signs of its direction, computed once and used for every box.
 template <class T>
 struct SlabRay {

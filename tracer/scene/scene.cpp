@@ -10,6 +10,12 @@ size_t Scene::triangle_count() const {
   return count;
 }
 
+bool has_transparency(const Scene& scene) {
+  const auto refracts = [&](const auto& shape) { return scene.materials[shape.material].k_refract > 0; };
+  return std::ranges::any_of(scene.planes, refracts) || std::ranges::any_of(scene.spheres, refracts) ||
+         std::ranges::any_of(scene.meshes, refracts);
+}
+
 Box<double> bounds_of(const Mesh& mesh) {
   Box<double> box;
   for (const Vec3f& vertex : mesh.vertices) box.include(Vec3d(vertex));

@@ -80,6 +80,9 @@ struct Scene {
   [[nodiscard]] size_t triangle_count() const;
 };
 
+/// Whether any shape has a material that refracts.
+[[nodiscard]] bool has_transparency(const Scene& scene);
+
 /// The box around all vertices of `mesh`.
 [[nodiscard]] Box<double> bounds_of(const Mesh& mesh);
 

@@ -9,14 +9,19 @@ namespace raysweep {
 template <class T>
 struct Surfacing {
   Vec3<T> ambient, diffuse, specular;
-  T exponent, reflect;
+  Vec3<T> filter;
+  T exponent, reflect, refract;
+  bool fresnel;
 
   Surfacing(const Material& m, const Colour& ambient_light)
       : ambient(m.ambient * ambient_light * m.k_ambient),
         diffuse(m.diffuse * m.k_diffuse),
         specular(m.specular * m.k_specular),
+        filter(m.filter),
         exponent(static_cast<T>(m.exponent)),
-        reflect(static_cast<T>(m.k_reflect)) {}
+        reflect(static_cast<T>(m.k_reflect)),
+        refract(static_cast<T>(m.k_refract)),
+        fresnel(m.fresnel) {}
 };
 
 /// `I − 2N(N·I)`.
