@@ -7,6 +7,8 @@
 // tuned epsilon takes part: clearances scale with coordinates.
 #pragma once
 
+#include <array>
+
 #include "tracer/intersect/intersector.h"
 #include "tracer/scene/scene.h"
 
@@ -52,13 +54,13 @@ struct PlaneShape {
 
   [[nodiscard]] T signed_distance(const Vec3<T>& p) const { return dot(normal, p) + offset; }
 
-  /// The hit is projected onto the plane, which takes away all error of `t` but its square. Left are the
-  /// evaluation of the distance, before and after (4 roundings each on |n·p| + |D|), the normal's length (2),
-  /// and rounding the point twice (2).
+  /// The hit is projected onto the plane, which takes away all error of `t` but its square. What is left is ×
+  /// Σ|n|p: the products and sums of the distance, before and after (3 roundings each; adding D is exact so
+  /// close to the plane), and rounding the point and the ray's start (1 each); 2 for the second order.
   [[nodiscard]] Surface<T> surface(const Ray<T>& ray, T t) const {
     Vec3<T> p = ray.at(t);
     p = p - normal * signed_distance(p);
-    return facing(p, normal, gamma_bound<T>(16) * (abs_dot(normal, p) + std::abs(offset)), ray.direction);
+    return facing(p, normal, gamma_bound<T>(10) * abs_dot(normal, p), ray.direction);
   }
 };
 
@@ -122,18 +124,21 @@ struct TriangleShape {
 /// Let m be the largest absolute coordinates of the corners, by axis, and all errors be taken along the
 /// normal: × Σ|n|m. The point: 7 roundings of the barycentric sum (pbrt-v4, 6.8.5), 4 of coordinates that do
 /// not sum to 1; the ray's start: 1; the signed distance: 4 on |P − A| ≤ 2m; the rounded normal: 1 on 2m.
-/// Together 22. Where a thin triangle's cross product cancels, its normal errs by more: 4u·|AB||AC|/|AB×AC|
-/// in double, over the triangle's extent.
+/// Together 22. Where a thin triangle's cross product cancels, its normal errs by more: 8u·|e||f|/|e×f| in
+/// double, over the triangle's extent; e and f are the two shorter edges, which cancel least.
 template <class T>
 TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(0, 1, 0), clearance(0), inset(0) {
-  const Vec3d ab = Vec3d(t.b) - Vec3d(t.a), ac = Vec3d(t.c) - Vec3d(t.a), bc = Vec3d(t.c) - Vec3d(t.b);
-  const Vec3d n = cross(ab, ac);
-  const double area = length(n), longest = std::max({length(ab), length(ac), length(bc)});
+  std::array<Vec3d, 3> p{Vec3d(t.a), Vec3d(t.b), Vec3d(t.c)};
+  const auto edge = [&p](size_t opposite) { return length(p[(opposite + 2) % 3] - p[(opposite + 1) % 3]); };
+  const size_t apex = edge(0) >= edge(1) && edge(0) >= edge(2) ? 0 : edge(1) >= edge(2) ? 1 : 2;
+  std::ranges::rotate(p, p.begin() + static_cast<std::ptrdiff_t>(apex));
+  const Vec3d n = cross(p[1] - p[0], p[2] - p[0]);
+  const double area = length(n), longest = edge(0);
   if (!(area > 0)) return;  // no surface: no method hits it
   normal = Vec3<T>(n * (1 / area));
   const auto largest = [](T a, T b, T c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); };
   const Vec3<T> m(largest(t.a.x, t.b.x, t.c.x), largest(t.a.y, t.b.y, t.c.y), largest(t.a.z, t.b.z, t.c.z));
-  const double normal_error = 4 * unit_roundoff<double> * length(ab) * length(ac) / area;
+  const double normal_error = 8 * unit_roundoff<double> * edge(1) * edge(2) / area;
   clearance = gamma_bound<T>(24) * abs_dot(normal, m) + static_cast<T>(normal_error * longest);
   const double altitude = area / longest;
   constexpr double clearances = 4;  // keeps right at faces that meet at 15° or more
