@@ -84,7 +84,7 @@ TYPED_TEST(Optics, light_that_comes_back_goes_the_same_way_and_shares_alike) {
     const Vec3<T> n = this->unit_vector(), in = this->incident_on(n);
     const T n1 = this->uniform(1, 2.5), n2 = this->uniform(1, 2.5);
     const auto out = refract(in, n, n1 / n2);
-    if (!out || out->cos_transmitted < T(0.01)) continue;
+    if (!out || std::min(out->cos_incident, out->cos_transmitted) < T(0.01)) continue;
     // Cosines are as uncertain as sines over the cosine; shares as cosines are.
     const T cosine = std::min(out->cos_incident, out->cos_transmitted);
     const auto back = refract(-out->direction, -n, n2 / n1);

@@ -4,37 +4,17 @@
 #include <map>
 #include <set>
 
-#include "tracer/render.h"
+#include "tests/tracer/variants.h"
 #include "tracer/scene/scenes.h"
 
 namespace raysweep {
 namespace {
 
-std::vector<RenderSettings> all_variants() {
-  std::vector<RenderSettings> list;
-  for (const Choice& core : cores()) {
-    for (const Choice& precision : precisions()) {
-      for (const Choice& method : methods()) {
-        for (const Choice& accel : accels()) {
-          RenderSettings s;
-          s.width = s.height = 1;
-          s.core = core.name;
-          s.precision = precision.name;
-          s.method = method.name;
-          s.accel = accel.name;
-          list.push_back(s);
-        }
-      }
-    }
-  }
-  return list;
-}
-
 /// The only pixel: what the camera's axis sees.
 Vec3f central_colour(const Scene& scene, const RenderSettings& settings, RayCounts* rays = nullptr) {
-  Film film(1, 1);
-  const RayCounts counts = make_renderer(scene, settings)->render({0, 0, 1, 1}, film).rays;
-  if (rays) *rays = counts;
+  RenderCounts counts;
+  const Film film = picture_of(scene, settings, &counts);
+  if (rays) *rays = counts.rays;
   return film.at(0, 0);
 }
 

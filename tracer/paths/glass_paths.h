@@ -87,8 +87,11 @@ class GlassPaths {
     const Vec3<T> direction = path.ray.direction;
     const Ray<T> mirrored =
         spawn(surface, normalize(reflect(direction, surface.normal)), true, found->clearance);
+    const auto share = [&](const Ray<T>& to_light, T distance) {
+      return light_share(sample.core, to_light, distance, found->before);
+    };
     const Vec3<T> local =
-        lighting_.at(sample.core, material, mirrored.origin, surface.normal, direction, sample.counts.rays);
+        lighting_.at(material, mirrored.origin, surface.normal, direction, sample.counts.rays, share);
     sample.colour += local * path.weight;
     T reflected = material.reflect, refracted = found->is_opaque ? 0 : material.refract;
     if (refracted > 0) {
@@ -97,6 +100,36 @@ class GlassPaths {
                    path.weight * material.filter * refracted, path.level + 1, true, found->beyond});
     }
     add(sample, {mirrored, path.weight * reflected, path.level + 1, false, found->before});
+  }
+
+  /// What comes through of a light at `distance` along `ray`, which starts in `inside`: nothing through
+  /// anything opaque; else every surface between two media, and every sheet, takes its share (Morozov
+  /// 2011, 3.1.2), in the order in which the ray meets them. A ray through an edge meets both its triangles,
+  /// and pays once.
+  Vec3<T> light_share(const Core& core, const Ray<T>& ray, T distance, MediumSet inside) const {
+    if (core.occluded_by_opaque(ray, distance)) return {};
+    Vec3<T> share(1, 1, 1);
+    Hit<T> last = Hit<T>::start();
+    uint32_t sheet = MediumSet::outside;  // that `last` passed
+    for (auto hit = core.closest(ray, last, distance); hit && hit->t < distance;
+         hit = core.closest(ray, last, distance)) {
+      const uint32_t rank = media_.rank(hit->id);
+      bool pays = true;
+      if (media_.crossing(hit->id) == Media::Crossing::sheet) {
+        const bool same_place = hit->t <= last.t * (1 + gamma_bound<T>(16));
+        pays = !(sheet == rank && same_place);
+        sheet = rank;
+      } else {
+        const uint32_t before = inside.top();
+        media_.cross(inside, hit->id, core.primitives().surface(ray, *hit).against);
+        pays = inside.top() != before;
+        sheet = MediumSet::outside;
+      }
+      const Surfacing<T>& passed = lighting_.material(core.primitives().material(hit->id));
+      if (pays) share = share * passed.filter * passed.refract;
+      last = *hit;
+    }
+    return share;
   }
 
   /// The direction behind the interface; moves between the shares `reflected` and `refracted` what is
@@ -114,7 +147,7 @@ class GlassPaths {
     return bent ? bent->direction : direction;
   }
 
-  Lighting<Core, true> lighting_;
+  Lighting<T> lighting_;
   Media media_;
   RadianceBound bound_;
   Vec3<T> background_;

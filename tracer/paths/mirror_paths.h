@@ -31,8 +31,11 @@ class MirrorPaths {
       const Surfacing<T>& material = lighting_.material(core.primitives().material(hit->id));
       const Ray<T> mirrored =
           spawn(surface, normalize(reflect(ray.direction, surface.normal)), true, surface.clearance);
-      sum +=
-          lighting_.at(core, material, mirrored.origin, surface.normal, ray.direction, counts.rays) * weight;
+      const auto visible = [&core](const Ray<T>& to_light, T distance) {
+        return !core.occluded(to_light, distance);
+      };
+      sum += weight *
+             lighting_.at(material, mirrored.origin, surface.normal, ray.direction, counts.rays, visible);
       if (material.reflect == 0) return sum;
       if (level == depth_) {
         counts.left_out.by_depth++;
@@ -57,7 +60,7 @@ class MirrorPaths {
     return true;
   }
 
-  Lighting<Core, false> lighting_;
+  Lighting<T> lighting_;
   RadianceBound bound_;
   Vec3<T> background_;
   int depth_;

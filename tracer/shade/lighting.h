@@ -3,18 +3,15 @@
 
 #include <vector>
 
+#include "tracer/math/ray.h"
 #include "tracer/render_counts.h"
 #include "tracer/shade/phong.h"
 
 namespace raysweep {
 
-/// `transparent`: shadow rays are dimmed by what they pass instead of cut off; scenes in which all is opaque
-/// do without.
-template <class Core, bool transparent>
+template <class T>
 class Lighting {
  public:
-  using T = typename Core::Real;
-
   explicit Lighting(const Scene& scene) {
     for (const Material& m : scene.materials) materials_.emplace_back(m, scene.ambient);
     for (const Light& l : scene.lights) lights_.push_back({Vec3<T>(l.position), Vec3<T>(l.intensity)});
@@ -23,9 +20,11 @@ class Lighting {
   [[nodiscard]] const Surfacing<T>& material(uint32_t index) const { return materials_[index]; }
 
   /// Ambient, diffuse and specular light from `point`, which must lie off the surface as spawned rays do,
-  /// back along `from_eye`.
-  Vec3<T> at(const Core& core, const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal,
-             const Vec3<T>& from_eye, RayCounts& rays) const {
+  /// back along `from_eye`. `visible(ray, distance)` tells the share of a light, as a colour, that comes
+  /// through from `distance` along a ray; or, where there is all or nothing, whether it does.
+  template <class Visible>
+  Vec3<T> at(const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal,
+             const Vec3<T>& from_eye, RayCounts& rays, Visible&& visible) const {
     Vec3<T> sum = material.ambient;
     for (const PointLight& light : lights_) {
       const Vec3<T> towards = light.position - point;
@@ -34,15 +33,12 @@ class Lighting {
       const T cosine = dot(normal, to_light);
       if (!(cosine > 0)) continue;  // behind the surface: dark without asking
       rays.shadow++;
-      const Ray<T> shadow{point, to_light};
-      Vec3<T> intensity = light.intensity;
-      if constexpr (transparent) {
-        if (core.occluded_by_opaque(shadow, distance)) continue;
-        intensity = intensity * transmitted(core, shadow, distance);
+      const auto share = visible(Ray<T>{point, to_light}, distance);
+      if constexpr (std::is_same_v<decltype(share), const bool>) {
+        if (share) sum += light.intensity * phong(material, normal, to_light, cosine, from_eye);
       } else {
-        if (core.occluded(shadow, distance)) continue;
+        sum += light.intensity * share * phong(material, normal, to_light, cosine, from_eye);
       }
-      sum += intensity * phong(material, normal, to_light, cosine, from_eye);
     }
     return sum;
   }
@@ -51,19 +47,6 @@ class Lighting {
   struct PointLight {
     Vec3<T> position, intensity;
   };
-
-  /// What is left of a light after everything between: each surface takes its share (Morozov 2011, 3.1.2), in
-  /// the order in which the ray meets them.
-  Vec3<T> transmitted(const Core& core, const Ray<T>& ray, T distance) const {
-    Vec3<T> share(1, 1, 1);
-    auto hit = core.closest(ray, Hit<T>::start(), distance);
-    while (hit && hit->t < distance) {
-      const Surfacing<T>& passed = materials_[core.primitives().material(hit->id)];
-      share = share * passed.filter * passed.refract;
-      hit = core.closest(ray, *hit, distance);
-    }
-    return share;
-  }
 
   std::vector<Surfacing<T>> materials_;
   std::vector<PointLight> lights_;

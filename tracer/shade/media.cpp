@@ -75,6 +75,10 @@ Media::Media(const Scene& scene) {
     unbounded_.push_back(std::isinf(solid.extent));
     if (solid.holds_camera) at_camera_.enter(rank);
   }
+  auto next = static_cast<uint32_t>(bounding.size());
+  for (const Solid& solid : solids) {
+    if (solid.crossing == Crossing::sheet) std::fill_n(ranks_.begin() + solid.first, solid.count, next++);
+  }
 }
 
 }  // namespace raysweep

@@ -23,6 +23,7 @@ class Media {
   explicit Media(const Scene& scene);
 
   [[nodiscard]] Crossing crossing(uint32_t primitive) const { return crossings_[primitive]; }
+  /// Of the medium or sheet that the primitive is part of.
   [[nodiscard]] uint32_t rank(uint32_t primitive) const { return ranks_[primitive]; }
 
   /// Lets a ray pass a primitive that bounds a medium; `against` as in Surface.
@@ -47,7 +48,7 @@ class Media {
 
  private:
   std::vector<Crossing> crossings_;       // of each primitive
-  std::vector<uint32_t> ranks_;           // of each primitive; 0 where it bounds nothing
+  std::vector<uint32_t> ranks_;           // of each primitive; those of sheets follow those of media
   std::vector<double> ior_;               // by rank
   std::vector<unsigned char> unbounded_;  // by rank
   MediumSet at_camera_;

@@ -1,0 +1,40 @@
+// Every way of computing a picture, for tests that hold in all of them.
+#pragma once
+
+#include <vector>
+
+#include "tracer/render.h"
+
+namespace raysweep {
+
+/// Each core, precision, method and hierarchy, for a picture of one pixel.
+inline std::vector<RenderSettings> all_variants() {
+  std::vector<RenderSettings> list;
+  for (const Choice& core : cores()) {
+    for (const Choice& precision : precisions()) {
+      for (const Choice& method : methods()) {
+        for (const Choice& accel : accels()) {
+          RenderSettings s;
+          s.width = s.height = 1;
+          s.core = core.name;
+          s.precision = precision.name;
+          s.method = method.name;
+          s.accel = accel.name;
+          list.push_back(s);
+        }
+      }
+    }
+  }
+  return list;
+}
+
+/// The whole picture.
+inline Film picture_of(const Scene& scene, const RenderSettings& settings, RenderCounts* counts = nullptr) {
+  Film film(settings.width, settings.height);
+  const RenderCounts made =
+      make_renderer(scene, settings)->render({0, 0, settings.width, settings.height}, film);
+  if (counts) *counts = made;
+  return film;
+}
+
+}  // namespace raysweep
