@@ -8,6 +8,7 @@
 #include "experiments/item.h"
 #include "experiments/numbers.h"
 #include "schedulers/registry.h"
+#include "tracer/sample/pattern.h"
 
 namespace raysweep {
 
@@ -34,6 +35,12 @@ std::string set_choice(const char* name, std::string& target, const std::string&
     names += fmt::format("{}{}", names.empty() ? "" : ", ", choice.name);
   }
   return fmt::format("unknown {} \"{}\"; possible: {}", name, value, names);
+}
+
+std::string set_pattern(Cell& cell, const std::string& value) {
+  std::string problem = pattern_problem(value);
+  if (problem.empty()) cell.settings.pattern = value;
+  return problem;
 }
 
 std::string set_scheduler(Cell& cell, const std::string& value) {
@@ -108,7 +115,8 @@ const std::array factors{
     RAYSWEEP_INT("width", settings.width, width_range, "pixels"),
     RAYSWEEP_INT("height", settings.height, height_range, "pixels"),
     RAYSWEEP_INT("subpixels", settings.subpixels, subpixels_range, "samples a pixel"),
-    RAYSWEEP_CHOICE("pattern", settings.pattern, patterns),
+    CellFactor{"pattern", "see `raysweep list patterns`", false, set_pattern,
+               [](const Cell& c) { return c.settings.pattern; }},
     RAYSWEEP_INT("depth", settings.depth, depth_range, "1 to 1024; primary hits are depth 1"),
     RAYSWEEP_INT("lights", lights, lights_range, "0 to 64"),
     RAYSWEEP_CHOICE("accel", settings.accel, accels),

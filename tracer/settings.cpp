@@ -36,9 +36,15 @@ std::span<const Choice> precisions() {
 }
 
 std::span<const Choice> patterns() {
-  static constexpr std::array<Choice, 2> list{
+  static constexpr std::array<Choice, 5> list{
       {{"grid", "equal cells in rows; a count without near-equal factors gets rows of unequal length"},
-       {"circle", "points evenly on a circle of radius 1/sqrt(6) pixels (Morozov 2011)"}}};
+       {"rotated_grid", "a lattice whose x and y are all different; 4 points are a turned regular grid"},
+       {"circle",
+        "points evenly on a circle (Morozov 2011); circle:RADIUS:PHASE, in pixels and in steps between "
+        "points, "
+        "else 1/sqrt(6) and 0.2"},
+       {"halton", "the Halton sequence in the bases 2 and 3"},
+       {"sobol", "the Sobol sequence, Owen-scrambled; sobol:SEED, else seed 0"}}};
   return list;
 }
 

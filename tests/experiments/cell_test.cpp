@@ -31,11 +31,22 @@ TEST(cell, goes_to_a_launch_and_comes_back) {
 }
 
 TEST(cell, every_factor_is_in_the_key) {
-  const std::pair<const char*, const char*> others[] = {
-      {"scene", "studio"},   {"width", "7"},    {"height", "7"},       {"subpixels", "7"},
-      {"pattern", "circle"}, {"depth", "7"},    {"lights", "7"},       {"accel", "none"},
-      {"leaf", "7"},         {"core", "m11"},   {"method", "morozov"}, {"precision", "double"},
-      {"threads", "7"},      {"item", "tiles"}, {"chunk", "7"},        {"scheduler", "thread_cyclic"}};
+  const std::pair<const char*, const char*> others[] = {{"scene", "studio"},
+                                                        {"width", "7"},
+                                                        {"height", "7"},
+                                                        {"subpixels", "7"},
+                                                        {"pattern", "circle:0.25:0.5"},
+                                                        {"depth", "7"},
+                                                        {"lights", "7"},
+                                                        {"accel", "none"},
+                                                        {"leaf", "7"},
+                                                        {"core", "m11"},
+                                                        {"method", "morozov"},
+                                                        {"precision", "double"},
+                                                        {"threads", "7"},
+                                                        {"item", "tiles"},
+                                                        {"chunk", "7"},
+                                                        {"scheduler", "thread_cyclic"}};
   EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "pin has one value only";
   for (const auto& [name, value] : others) {
     Cell a, b;
@@ -79,7 +90,11 @@ TEST(factors, refuse_by_a_sentence_with_what_is_possible) {
   EXPECT_EQ(problem("depth", "4x"),
             "depth = 4x is not a whole number in range: a whole number from 1 to 1024 is possible");
   EXPECT_EQ(problem("accel", "kd"), "unknown accel \"kd\"; possible: sah, median, none");
-  EXPECT_EQ(problem("pattern", "ring"), "unknown pattern \"ring\"; possible: grid, circle");
+  EXPECT_EQ(problem("pattern", "ring"),
+            "unknown pattern \"ring\"; possible: grid, rotated_grid, circle, circle:RADIUS, "
+            "circle:RADIUS:PHASE, halton, sobol, sobol:SEED");
+  EXPECT_EQ(problem("pattern", "circle:0.7"),
+            "circle:0.7: the radius must be above 0 and at most 0.5 pixels");
   EXPECT_EQ(problem("item", "tiles:0"),
             "unknown item \"tiles:0\"; possible: rows, tiles, tiles:SIDE with a side from 1 to 1024");
   EXPECT_EQ(problem("chunk", "0"),
