@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <ostream>
 #include <stdexcept>
+
+#include "tracer/whole_file.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -22,17 +22,18 @@ namespace raysweep {
 
 namespace {
 
-unsigned char to_srgb_byte(float linear) {
-  const float c = std::clamp(linear, 0.0f, 1.0f);
-  const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
-  return static_cast<unsigned char>(std::lround(encoded * 255));
-}
-
 void append(void* bytes, void* data, int size) {
   static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<size_t>(size));
 }
 
 }  // namespace
+
+unsigned char to_srgb_byte(float linear) {
+  if (!(linear > 0)) return 0;  // NaN too
+  const float c = std::min(linear, 1.0f);
+  const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+  return static_cast<unsigned char>(std::lround(encoded * 255));
+}
 
 std::string Film::hash() const {
   const XXH128_hash_t h = XXH3_128bits(pixels_.data(), pixels_.size() * sizeof(Vec3f));
@@ -51,17 +52,8 @@ void write_png(const Film& film, const std::string& path) {
   if (!stbi_write_png_to_func(append, &png, film.width(), film.height(), 3, bytes.data(), film.width() * 3)) {
     throw std::runtime_error(path + ": the picture could not be encoded as PNG");
   }
-  const std::string part = path + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file.write(png.data(), static_cast<std::streamsize>(png.size()));
-  file.close();
-  const int written = errno;
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (file && !error) return;
-  const std::string reason = file ? error.message() : std::strerror(written);
-  std::filesystem::remove(part, error);
-  throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, reason));
+  write_whole_file(
+      path, [&](std::ostream& file) { file.write(png.data(), static_cast<std::streamsize>(png.size())); });
 }
 
 }  // namespace raysweep

@@ -37,6 +37,9 @@ class Film {
   std::vector<Vec3f> pixels_;
 };
 
+/// A linear colour as 8-bit sRGB (IEC 61966-2-1), clamped to 0…1; NaN gives 0.
+[[nodiscard]] unsigned char to_srgb_byte(float linear);
+
 /// The encoder counts bytes in 32 bits.
 inline constexpr size_t max_png_pixels = (size_t{1} << 31) / 4;
 
