@@ -108,7 +108,7 @@ TEST(frame_meshes, every_vertex_of_a_framed_mesh_is_in_the_picture) {
       }
     }
     mesh.triangles = {{0, 1, 2}};
-    const Scene scene = frame_meshes("box", {mesh}, 1);
+    const Scene scene = frame_meshes("box", {{mesh}, {plain_surface()}}, 1);
     const Camera& c = scene.camera;
     const Vec3d forward = normalize(c.target - c.position), right = normalize(cross(forward, c.up)),
                 up = cross(right, forward);
@@ -129,7 +129,7 @@ TEST(frame_meshes, a_mesh_far_out_is_moved_to_the_origin) {
   Mesh mesh;
   mesh.vertices = {{1e6f, 0, 0}, {1e6f + 2, 0, 0}, {1e6f, 2, 2}};
   mesh.triangles = {{0, 1, 2}};
-  const Scene scene = frame_meshes("far", {mesh}, 1);
+  const Scene scene = frame_meshes("far", {{mesh}, {plain_surface()}}, 1);
   EXPECT_EQ(scene.meshes[0].vertices[0], Vec3f(-1, -1, -1));
   EXPECT_EQ(scene.meshes[0].vertices[1], Vec3f(1, -1, -1));
   EXPECT_LT(length(scene.camera.position), 20);

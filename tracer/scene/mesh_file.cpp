@@ -5,8 +5,10 @@
 
 #include <assimp/Importer.hpp>
 #include <fstream>
+#include <map>
 #include <span>
 
+#include "tracer/scene/mesh_material.h"
 #include "tracer/scene/scenes.h"
 
 namespace raysweep {
@@ -47,6 +49,11 @@ Mesh convert(const aiMesh& source) {
   return mesh;
 }
 
+Material material_of(const aiScene& scene, unsigned index) {
+  const bool there = index < scene.mNumMaterials && scene.mMaterials[index];
+  return there ? take_over(*scene.mMaterials[index]) : plain_surface();
+}
+
 /// Assimp 5.2 reads on for ever where a PLY header has no end.
 void refuse_endless_ply_header(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
@@ -60,7 +67,7 @@ void refuse_endless_ply_header(const std::string& file) {
 
 }  // namespace
 
-std::vector<Mesh> load_meshes(const std::string& file) {
+ImportedMeshes load_meshes(const std::string& file) {
   refuse_endless_ply_header(file);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file, 0);
@@ -72,14 +79,20 @@ std::vector<Mesh> load_meshes(const std::string& file) {
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (!scene)
     throw SceneError(fmt::format("{}: cannot be triangulated: {}", file, importer.GetErrorString()));
-  std::vector<Mesh> meshes;
+  ImportedMeshes imported;
+  std::map<unsigned, uint32_t> taken;  // Assimp's index of a material to ours
   for (const aiMesh* source : std::span(scene->mMeshes, scene->mNumMeshes)) {
     check(*source, file);  // a transformation may overflow
     Mesh mesh = convert(*source);
-    if (!mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+    if (mesh.triangles.empty()) continue;
+    const auto [place, is_new] =
+        taken.try_emplace(source->mMaterialIndex, static_cast<uint32_t>(imported.materials.size()));
+    if (is_new) imported.materials.push_back(material_of(*scene, source->mMaterialIndex));
+    mesh.material = place->second;
+    imported.meshes.push_back(std::move(mesh));
   }
-  if (meshes.empty()) throw SceneError(file + ": holds no triangles");
-  return meshes;
+  if (imported.meshes.empty()) throw SceneError(file + ": holds no triangles");
+  return imported;
 }
 
 std::string why_no_mesh_files() { return {}; }

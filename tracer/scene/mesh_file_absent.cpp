@@ -5,7 +5,7 @@ namespace raysweep {
 
 std::string why_no_mesh_files() { return "built without Assimp; install libassimp-dev and build again"; }
 
-std::vector<Mesh> load_meshes(const std::string& file) {
+ImportedMeshes load_meshes(const std::string& file) {
   throw SceneError(file + ": mesh files cannot be read here: " + why_no_mesh_files());
 }
 

@@ -27,15 +27,26 @@ struct SceneError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Meshes of a file with their materials: each mesh's `material` indexes `materials`.
+struct ImportedMeshes {
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+};
+
 /// Reads OBJ, PLY, STL, glTF and whatever else Assimp reads. Throws SceneError: unreadable, empty, NaN, bad
-/// index.
-[[nodiscard]] std::vector<Mesh> load_meshes(const std::string& file);
+/// index. Values of materials that cannot be are replaced, never an error.
+[[nodiscard]] ImportedMeshes load_meshes(const std::string& file);
 
 /// Why mesh files cannot be read here; empty if they can.
 [[nodiscard]] std::string why_no_mesh_files();
 
-/// `meshes`, moved to the origin, in a plain light surface before a pale background, with a camera that
-/// frames them from the front left in pictures that are no higher than wide.
-[[nodiscard]] Scene frame_meshes(std::string name, std::vector<Mesh> meshes, int light_count);
+/// The light, slightly glossy surface of meshes whose file tells of none.
+[[nodiscard]] Material plain_surface();
+
+/// Looks from the front left at all of `box`, in pictures that are no higher than wide.
+[[nodiscard]] Camera framing_camera(const Box<double>& box);
+
+/// What was imported, moved to the origin, before a pale background, with a camera that frames it.
+[[nodiscard]] Scene frame_meshes(std::string name, ImportedMeshes imported, int light_count);
 
 }  // namespace raysweep
