@@ -18,14 +18,19 @@ std::string Cell::picture_key() const {
   const RenderSettings& s = settings;
   return fmt::format(
       "scene={},mode={},width={},height={},subpixels={},pattern={},depth={},lights={},core={},method={},"
-      "precision={}",
-      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights, s.core, s.method, s.precision);
+      "precision={},pixel_tolerance={},branches={}",
+      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights, s.core, s.method, s.precision,
+      s.pixel_tolerance, s.branches);
 }
 
 std::string Cell::key() const {
   return fmt::format("{},accel={},leaf={},scheduler={},threads={},item={},chunk={},pin={}{}", picture_key(),
                      settings.accel, settings.leaf, scheduler, threads, item, chunk_text(), pin,
                      processes > 1 ? fmt::format(",processes={}", processes) : "");
+}
+
+void resolve_lights(Cell& cell) {
+  if (cell.lights == own_lights) cell.lights = own_light_count(cell.scene);
 }
 
 void collapse_ignored_factors(Cell& cell) {

@@ -5,15 +5,16 @@
 #include <string>
 
 #include "schedulers/scheduler.h"
+#include "tracer/scene/scenes.h"
 #include "tracer/settings.h"
 
 namespace raysweep {
 
 struct Cell {
-  std::string scene = "chair-ball";  // a built-in name or a mesh file
+  std::string scene = "chair-ball";  // a built-in name or a scene or mesh file
   std::string mode = "custom";       // whose numbers the settings started from
   RenderSettings settings;
-  int lights = 1;
+  int lights = own_lights;  // resolved before anything is planned or rendered
   std::string scheduler = "serial";
   int threads = 1;
   std::string item = "rows";
@@ -29,6 +30,9 @@ struct Cell {
   /// "4", "2/thread", or "-" where the scheduler has no use for a chunk.
   [[nodiscard]] std::string chunk_text() const;
 };
+
+/// The scene's own number of lights where none was asked for. Throws SceneError.
+void resolve_lights(Cell& cell);
 
 /// One thread and no chunk where the scheduler ignores them.
 void collapse_ignored_factors(Cell& cell);

@@ -37,6 +37,28 @@ std::string set_choice(const char* name, std::string& target, const std::string&
   return fmt::format("unknown {} \"{}\"; possible: {}", name, value, names);
 }
 
+/// A count, or "scene" for the scene's own.
+std::string set_lights(Cell& cell, const std::string& value) {
+  if (value == "scene") {
+    cell.lights = own_lights;
+    return {};
+  }
+  return set_int("lights", cell.lights, value, lights_range);
+}
+
+std::string set_pixel_tolerance(Cell& cell, const std::string& value) {
+  const auto number = parse_number<double>(value);
+  if (!number || !(*number >= 0 && *number <= 1)) {
+    return fmt::format(
+        "pixel_tolerance = {} is not possible: a number from 0 to 1, of the film's units, where 1 is white; "
+        "0 "
+        "ends no path early",
+        value);
+  }
+  cell.settings.pixel_tolerance = *number;
+  return {};
+}
+
 std::string set_pattern(Cell& cell, const std::string& value) {
   std::string problem = pattern_problem(value);
   if (problem.empty()) cell.settings.pattern = value;
@@ -106,7 +128,7 @@ std::string set_pin(Cell& cell, const std::string& value) {
 constexpr Range threads_range{min_threads, max_threads};
 
 const std::array factors{
-    CellFactor{"scene", "a built-in name or a mesh file", false,
+    CellFactor{"scene", "a built-in name, a scene file (.toml) or a mesh file", false,
                [](Cell& c, const std::string& v) {
                  c.scene = v;
                  return std::string();
@@ -118,7 +140,12 @@ const std::array factors{
     CellFactor{"pattern", "see `raysweep list patterns`", false, set_pattern,
                [](const Cell& c) { return c.settings.pattern; }},
     RAYSWEEP_INT("depth", settings.depth, depth_range, "1 to 1024; primary hits are depth 1"),
-    RAYSWEEP_INT("lights", lights, lights_range, "0 to 64"),
+    CellFactor{"pixel_tolerance", "what ending paths early may take from a pixel: 0 to 1, 0 ends none", true,
+               set_pixel_tolerance,
+               [](const Cell& c) { return fmt::format("{}", c.settings.pixel_tolerance); }},
+    RAYSWEEP_INT("branches", settings.branches, branches_range, "rays that a sample may trace through glass"),
+    CellFactor{"lights", "0 to 64, or scene for as many as it has", true, set_lights,
+               [](const Cell& c) { return c.lights == own_lights ? "scene" : std::to_string(c.lights); }},
     RAYSWEEP_CHOICE("accel", settings.accel, accels),
     RAYSWEEP_INT("leaf", settings.leaf, leaf_range, "primitives a leaf holds at most"),
     RAYSWEEP_CHOICE("core", settings.core, cores),

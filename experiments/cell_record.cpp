@@ -12,6 +12,8 @@ Record record_of(const Cell& cell) {
   r.subpixels = cell.settings.subpixels;
   r.pattern = cell.settings.pattern;
   r.depth = cell.settings.depth;
+  r.pixel_tolerance = cell.settings.pixel_tolerance;
+  r.branches = cell.settings.branches;
   r.lights = cell.lights;
   r.accel = cell.settings.accel;
   r.leaf = cell.settings.leaf;

@@ -99,7 +99,7 @@ class Parser {
           (std::filesystem::path(config_.file).parent_path() / text_or(scene, "file", "")).string();
     }
     try {
-      (void)load_scene(config_.scene, 1);
+      (void)load_scene(config_.scene);
     } catch (const SceneError& error) {
       fail(scene, error.what());
     }
@@ -166,6 +166,8 @@ class Parser {
     const auto add = [&](const toml::node& one) {
       if (const auto number = one.value_exact<int64_t>(); number && integer) {
         values.push_back({std::to_string(*number), &one});
+      } else if (const auto real = one.value_exact<double>(); real && integer) {
+        values.push_back({fmt::format("{}", *real), &one});
       } else if (const auto text = one.value_exact<std::string>()) {
         const std::vector<int> range = integer ? expand_range(*text, machine_) : std::vector<int>();
         for (const int v : range) values.push_back({std::to_string(v), &one});

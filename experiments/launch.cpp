@@ -43,7 +43,7 @@ std::string what_is_wrong(const RenderJob& job, uint64_t frames) {
   if (items != frames * job.item_count()) {
     return fmt::format("{} items ran in {} frames of {}", items, frames, job.item_count());
   }
-  if (rays.primary % frames + rays.shadow % frames + rays.reflected % frames != 0)
+  if (rays.primary % frames + rays.shadow % frames + rays.reflected % frames + rays.refracted % frames != 0)
     return "frames differ in their rays";
   return {};
 }
@@ -53,6 +53,9 @@ void fill_in(const RenderJob& job, Record& record) {
   const RayCounts rays = job.rays();
   record.rays = {rays.primary / frames, rays.shadow / frames, rays.reflected / frames,
                  rays.refracted / frames};
+  const LeftOut left = job.counts().left_out;
+  record.left_out = {left.by_depth / frames, left.by_tolerance / frames, left.by_branches / frames,
+                     left.bound, left.lost_media / frames};
   record.reason = what_is_wrong(job, frames);
   record.valid = record.reason.empty();
   record.build_seconds = job.build_seconds();

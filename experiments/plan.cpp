@@ -76,7 +76,11 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       }
       cells = std::move(extended);
     }
-    for (const Cell& cell : cells) planner.add_with_bases(cell);
+    const int lights = own_light_count(config.scene);
+    for (Cell& cell : cells) {
+      if (cell.lights == own_lights) cell.lights = lights;
+      planner.add_with_bases(cell);
+    }
   }
   return plan;
 }

@@ -28,8 +28,9 @@ double seconds_left(int done, int total, double elapsed, double budget) {
   return std::max(0.0, std::min(by_pace, budget - elapsed));
 }
 
-Progress::Progress(int total, double start_seconds, double budget_seconds, bool quiet)
+Progress::Progress(int total, std::string unit, double start_seconds, double budget_seconds, bool quiet)
     : total_(total),
+      unit_(std::move(unit)),
       start_(start_seconds),
       budget_(budget_seconds),
       last_(start_seconds),
@@ -45,7 +46,7 @@ void Progress::show(int done, double now, const std::string& label) {
   last_ = now;
   const std::string left = as_clock(seconds_left(done, total_, now - start_, budget_));
   if (!terminal_) {
-    fmt::print(stderr, "{} of {} launches, {} left\n", done, total_, left);
+    fmt::print(stderr, "{} of {} {}, {} left\n", done, total_, unit_, left);
     return;
   }
   const int filled = total_ > 0 ? bar_width * done / total_ : 0;

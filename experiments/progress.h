@@ -7,17 +7,18 @@ namespace raysweep {
 
 class Progress {
  public:
-  /// Seconds are those of the run's clock.
-  Progress(int total, double start_seconds, double budget_seconds, bool quiet);
+  /// `total` of what `unit` names, in plural, are to be done. Seconds are those of the run's clock.
+  Progress(int total, std::string unit, double start_seconds, double budget_seconds, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` launches are finished; `label` names the one that starts.
+  /// `done` are finished; `label` tells what comes next.
   void show(int done, double now, const std::string& label);
 
  private:
   int total_;
+  std::string unit_;
   double start_, budget_, last_ = 0;
   bool quiet_, terminal_;
 };

@@ -41,10 +41,20 @@ RenderJob::RenderJob(const Cell& cell)
     RenderCounts counts;
     for (size_t i = first; i < last; ++i) counts += renderer_->render(tiles_[i], film_);
     counts_[static_cast<size_t>(worker)].counts += counts;
+    // Relaxed: a count to look at, which orders nothing.
+    if (watched_) watched_->fetch_add(last - first, std::memory_order_relaxed);
   };
 }
 
 void RenderJob::frame() { scheduler_->run({tiles_.size()}, chunk_, body_, log_); }
+
+std::vector<uint32_t> RenderJob::hit_ids() const {
+  std::vector<uint32_t> ids;
+  for (int y = 0; y < film_.height(); ++y) {
+    for (int x = 0; x < film_.width(); ++x) ids.push_back(renderer_->first_hit(x, y));
+  }
+  return ids;
+}
 
 void RenderJob::reset() {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

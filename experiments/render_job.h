@@ -1,6 +1,7 @@
 // A cell made ready to run: the only place that sees a tile and a scheduler.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,9 @@ class RenderJob {
   /// Forgets the frames so far: their rays, their worker entries, and their pixels, which become NaN, so that
   /// no pixel that a later frame leaves out can pass for rendered.
   void reset();
+  /// Counts finished items, for whoever watches from another thread; a chunk costs one atomic addition more.
+  /// Null ends it.
+  void count_items_in(std::atomic<size_t>* counter) { watched_ = counter; }
   [[nodiscard]] size_t item_count() const { return tiles_.size(); }
 
   [[nodiscard]] const Film& film() const { return film_; }
@@ -29,6 +33,8 @@ class RenderJob {
   [[nodiscard]] RayCounts rays() const { return counts().rays; }
   /// Rays and what was left out, of all frames since the last reset.
   [[nodiscard]] RenderCounts counts() const;
+  /// What the ray through each pixel's centre meets first, in row order.
+  [[nodiscard]] std::vector<uint32_t> hit_ids() const;
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
 
  private:
@@ -46,6 +52,7 @@ class RenderJob {
   WorkerLog log_;
   std::vector<WorkerCounts> counts_;
   Body body_;
+  std::atomic<size_t>* watched_ = nullptr;
   double build_seconds_ = 0;
 };
 

@@ -25,8 +25,8 @@ class Runner {
 
   RunReport run() {
     const int total = plan_.rounds * static_cast<int>(plan_.cells.size());
-    Progress progress(total - static_cast<int>(done_.size()), start_, config_.measure.budget_seconds,
-                      tools_.quiet);
+    Progress progress(total - static_cast<int>(done_.size()), "launches", start_,
+                      config_.measure.budget_seconds, tools_.quiet);
     const int before = report_.launches;
     for (int round = 0; round < plan_.rounds; ++round) {
       for (const size_t index : plan_.order(round)) {

@@ -34,13 +34,16 @@ nlohmann::json list_runtimes() {
 nlohmann::json list_scenes() {
   nlohmann::json list;
   for (const BuiltInScene& built_in : built_in_scenes()) {
-    const Scene scene = built_in.make(1);
+    const Scene scene = load_scene(std::string(built_in.name));
     list.push_back(entry(built_in.name, built_in.summary));
     list.back()["triangles"] = scene.triangle_count();
     list.back()["spheres"] = scene.spheres.size();
     list.back()["planes"] = scene.planes.size();
     list.back()["lights"] = scene.lights.size();
   }
+  list.push_back(
+      entry("FILE.toml",
+            "a scene described in TOML: tracer/scene/README.md tells how; experiments/scenes has some"));
   list.push_back(
       entry("FILE", "a mesh: OBJ, PLY, STL, glTF and what else Assimp reads", why_no_mesh_files()));
   return list;

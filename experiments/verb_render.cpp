@@ -4,29 +4,35 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "experiments/cell_factors.h"
 #include "experiments/clock.h"
 #include "experiments/errors.h"
 #include "experiments/machine.h"
 #include "experiments/render_job.h"
+#include "experiments/render_report.h"
+#include "experiments/render_watch.h"
 #include "experiments/verbs.h"
 #include "schedulers/registry.h"
+#include "tracer/film_exr.h"
 
 namespace raysweep {
 
 namespace {
 
 struct RenderOptions {
-  std::string mode, out;
+  std::string mode, out, reference;
   std::map<std::string, std::string> factors;  // as given; absent: the mode's or the default
   int frames = 1;
 };
 
 /// Finds out before the work, not after it, that the picture cannot be written.
 void check_out(const std::string& out) {
-  if (!out.ends_with(".png"))
-    throw RequestError(fmt::format("--out {}: pictures are written as .png; name a file that ends so", out));
+  if (!out.ends_with(".png") && !out.ends_with(".exr")) {
+    throw RequestError(
+        fmt::format("--out {}: pictures are written as .png or .exr; name a file that ends so", out));
+  }
   const std::filesystem::path parent = std::filesystem::absolute(out).parent_path();
   if (!std::filesystem::is_directory(parent)) {
     throw RequestError(fmt::format("--out {}: there is no folder {}", out, parent.string()));
@@ -36,6 +42,14 @@ void check_out(const std::string& out) {
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
   if (!writable) throw RequestError(fmt::format("--out {}: cannot be written; choose another place", out));
+}
+
+ExrPicture read_exr_or_refuse(const std::string& file) {
+  try {
+    return read_exr(file);
+  } catch (const std::runtime_error& error) {
+    throw RequestError(fmt::format("--reference {}", error.what()));
+  }
 }
 
 Cell make_cell(const RenderOptions& options, int pus) {
@@ -49,61 +63,64 @@ Cell make_cell(const RenderOptions& options, int pus) {
     if (given != options.factors.end()) set_factor(cell, factor, given->second);
   }
   collapse_ignored_factors(cell);
+  resolve_lights(cell);
   return cell;
 }
 
-nlohmann::json describe(const Cell& cell, const RenderJob& job, double seconds, int frames) {
-  const RayCounts rays = job.rays();
-  const auto n = static_cast<uint64_t>(frames);
-  return {{"image_hash", job.film().hash()},
-          {"seconds", seconds / frames},
-          {"fps", frames / seconds},
-          {"frames", frames},
-          {"width", cell.settings.width},
-          {"height", cell.settings.height},
-          {"rays",
-           {{"primary", rays.primary / n},
-            {"shadow", rays.shadow / n},
-            {"reflected", rays.reflected / n},
-            {"refracted", rays.refracted / n}}},
-          {"mrays_per_second", static_cast<double>(rays.total()) / seconds / 1e6},
-          {"build_seconds", job.build_seconds()},
-          {"cell", cell.key()},
-          {"threads", cell.threads},
-          {"threads_seen", job.log().workers_seen()}};
+ExrPicture read_reference(const std::string& file, const Cell& cell) {
+  ExrPicture reference = read_exr_or_refuse(file);
+  const Film& film = reference.film;
+  if (film.width() != cell.settings.width || film.height() != cell.settings.height) {
+    throw RequestError(fmt::format("--reference {}: is {} × {}, the picture {} × {}; they must be equal",
+                                   file, film.width(), film.height(), cell.settings.width,
+                                   cell.settings.height));
+  }
+  return reference;
+}
+
+void check_size(const RenderOptions& options, const Cell& cell) {
+  const auto pixels = static_cast<size_t>(cell.settings.width) * static_cast<size_t>(cell.settings.height);
+  if (!options.out.ends_with(".png") || pixels <= max_png_pixels) return;
+  throw RequestError(
+      fmt::format("--width {} --height {}: too large for a PNG file, which holds {} pixels here",
+                  cell.settings.width, cell.settings.height, max_png_pixels));
+}
+
+double render_frames(RenderJob& job, int frames, bool quiet) {
+  RenderWatch watch(job.item_count() * static_cast<size_t>(frames), quiet);
+  job.count_items_in(&watch.done());
+  const double begin = now_seconds();
+  for (int i = 0; i < frames; ++i) job.frame();
+  const double seconds = now_seconds() - begin;
+  job.count_items_in(nullptr);
+  return seconds;
 }
 
 int run(const RenderOptions& options, bool json) {
   check_out(options.out);
   const int pus = detect_machine().pus;
   const Cell cell = make_cell(options, pus);
+  check_size(options, cell);
+  std::optional<ExrPicture> reference;
+  if (!options.reference.empty()) reference = read_reference(options.reference, cell);
   if (cell.threads > pus)
     fmt::print(stderr, "note: {} threads on {} processors: oversubscribed\n", cell.threads, pus);
-  if (static_cast<size_t>(cell.settings.width) * static_cast<size_t>(cell.settings.height) > max_png_pixels) {
-    throw RequestError(
-        fmt::format("--width {} --height {}: too large for a PNG file, which holds {} pixels here",
-                    cell.settings.width, cell.settings.height, max_png_pixels));
-  }
   RenderJob job(cell);
-  const double begin = now_seconds();
-  for (int i = 0; i < options.frames; ++i) job.frame();
-  const double seconds = now_seconds() - begin;
-  write_png(job.film(), options.out);
-  const nlohmann::json result = describe(cell, job, seconds, options.frames);
-  if (json) {
-    fmt::print("{}\n", result.dump(1));
-    return exit_done;
+  RenderOutcome outcome{options.out, options.frames, render_frames(job, options.frames, json), {}};
+  const bool exr = options.out.ends_with(".exr");
+  const std::vector<uint32_t> ids = exr || reference ? job.hit_ids() : std::vector<uint32_t>();
+  if (reference) outcome.difference = compare(job.film(), ids, reference->film, reference->hit_ids);
+  if (exr) {
+    write_exr(job.film(), ids, options.out);
+  } else {
+    write_png(job.film(), options.out);
   }
-  const auto& rays = result["rays"];
-  fmt::print("{}: {} × {}, {:.3f} s a frame ({:.3g} fps) by {} on {} of {} threads\n", options.out,
-             cell.settings.width, cell.settings.height, seconds / options.frames, options.frames / seconds,
-             cell.scheduler, job.log().workers_seen(), cell.threads);
-  fmt::print("rays: {} primary, {} shadow, {} reflected; {:.2f} Mrays/s; hierarchy built in {:.3f} s\n",
-             rays["primary"].get<uint64_t>(), rays["shadow"].get<uint64_t>(),
-             rays["reflected"].get<uint64_t>(), result["mrays_per_second"].get<double>(),
-             job.build_seconds());
-  fmt::print("picture {}\n", job.film().hash());
-  return exit_done;
+  if (json) {
+    fmt::print("{}\n", describe(cell, job, outcome).dump(1));
+  } else {
+    print_outcome(cell, job, outcome);
+  }
+  return outcome.difference && outcome.difference->non_finite > 0 ? exit_failed : exit_done;
 }
 
 }  // namespace
@@ -114,13 +131,17 @@ void add_render(CommandLine& line) {
   verb->add_option("--mode", options.mode, "low, middle, hard or very_hard: size and effort as published");
   for (const CellFactor& factor : cell_factors()) {
     const std::string name(factor.name);
+    std::string option = "--" + name;
+    std::ranges::replace(option, '_', '-');
     verb->add_option_function<std::string>(
-        "--" + name, [name](const std::string& value) { options.factors[name] = value; },
+        option, [name](const std::string& value) { options.factors[name] = value; },
         std::string(factor.possible));
   }
   verb->add_option("--frames", options.frames, "frames to render; times are their mean")
       ->check(CLI::Range(1, 1000000));
-  verb->add_option("--out", options.out, "the picture, a .png file")->required();
+  verb->add_option("--reference", options.reference,
+                   "an .exr picture of the same size to compare with; exit code 1 if a pixel is not finite");
+  verb->add_option("--out", options.out, "the picture: .png, or .exr for its floats and hit ids")->required();
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 

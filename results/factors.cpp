@@ -17,6 +17,8 @@ const std::vector<FactorText>& factor_texts() {
       {"subpixels", [](const Record& r) { return std::to_string(r.subpixels); }, true},
       {"pattern", [](const Record& r) { return r.pattern; }, false},
       {"depth", [](const Record& r) { return std::to_string(r.depth); }, true},
+      {"pixel_tolerance", [](const Record& r) { return fmt::format("{}", r.pixel_tolerance); }, true, "0"},
+      {"branches", [](const Record& r) { return std::to_string(r.branches); }, true, "1024"},
       {"lights", [](const Record& r) { return std::to_string(r.lights); }, true},
       {"core", [](const Record& r) { return r.core; }, false},
       {"method", [](const Record& r) { return r.method; }, false},
@@ -67,7 +69,7 @@ std::string constant_factors(const std::vector<CellRow>& rows, const std::vector
   for (const FactorText& factor : factor_texts()) {
     if (std::ranges::any_of(varying, [&](const FactorText& f) { return f.name == factor.name; })) continue;
     const auto values = values_of(rows, factor);
-    if (values.size() != 1) continue;
+    if (values.size() != 1 || *values.begin() == factor.usual) continue;
     // Two lines: what is rendered, and how.
     const char* const separator = text.empty() ? "" : factor.name == "core" ? "\n" : " · ";
     text += fmt::format("{}{} {}", separator, factor.name, *values.begin());

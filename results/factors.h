@@ -12,6 +12,7 @@ struct FactorText {
   std::string name;
   std::string (*text)(const Record&);
   bool number;
+  std::string usual{};  // captions do not mention this value
 };
 
 /// All factors of a cell, in the order of columns.

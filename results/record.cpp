@@ -5,12 +5,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace raysweep {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRecord, items, chunks, cpu)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RayRecord, primary, shadow, reflected, refracted)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeftOutRecord, by_depth, by_tolerance, by_branches, bound, lost_media)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MachineRecord, host, cpu, pus, cores, load)
 
 namespace {
@@ -43,6 +45,7 @@ void for_each_field(Each&& each) {
   RAYSWEEP_FIELD(pin), RAYSWEEP_FIELD(processes);
   RAYSWEEP_FIELD(warmup_seconds), RAYSWEEP_FIELD(build_seconds), RAYSWEEP_FIELD(rays);
   RAYSWEEP_FIELD(image_hash), RAYSWEEP_FIELD(workers);
+  RAYSWEEP_FIELD(pixel_tolerance), RAYSWEEP_FIELD(branches), RAYSWEEP_FIELD(left_out);
 #undef RAYSWEEP_FIELD
 }
 
@@ -68,12 +71,17 @@ std::string to_line(const Record& record) {
 }
 
 Record record_from_json(const nlohmann::json& json) {
-  if (const int schema = json.at("schema").get<int>(); schema != record_schema) {
-    throw RecordError(
-        fmt::format("schema {} is unknown here; this version reads schema {}", schema, record_schema));
+  const int schema = json.at("schema").get<int>();
+  if (schema < oldest_record_schema || schema > record_schema) {
+    throw RecordError(fmt::format("schema {} is unknown here; this version reads schemas {} to {}", schema,
+                                  oldest_record_schema, record_schema));
   }
   Record record;
-  for_each_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
+  static const std::set<std::string_view> since_2{"pixel_tolerance", "branches", "left_out"};
+  for_each_field([&](const char* name, auto field) {
+    if (schema == 1 && since_2.contains(name)) return;
+    json.at(name).get_to(record.*field);
+  });
   record.frame_seconds = frames_from_json(json.at("frame_seconds"));
   return record;
 }

@@ -11,7 +11,8 @@
 
 namespace raysweep {
 
-inline constexpr int record_schema = 1;
+/// Schema 2 adds pixel_tolerance, branches and left_out to 1, which is still read.
+inline constexpr int record_schema = 2, oldest_record_schema = 1;
 
 /// What one worker did during the timed frames.
 struct WorkerRecord {
@@ -23,6 +24,13 @@ struct WorkerRecord {
 struct RayRecord {
   uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0;
   friend bool operator==(const RayRecord&, const RayRecord&) = default;
+};
+
+/// What one frame left out: rays not traced, by reason, and the most that a sample lacks by the last two.
+struct LeftOutRecord {
+  uint64_t by_depth = 0, by_tolerance = 0, by_branches = 0;
+  double bound = 0;
+  uint64_t lost_media = 0;  // paths that left the scene though they were inside something
 };
 
 /// The machine as far as tables need it; machine.json holds the rest.
@@ -44,7 +52,8 @@ struct Record {
   MachineRecord machine;
 
   std::string scene, mode, pattern, accel, core, isa, method, precision, scheduler, runtime, item, chunk, pin;
-  int width = 0, height = 0, subpixels = 0, depth = 0, lights = 0, leaf = 0;
+  int width = 0, height = 0, subpixels = 0, depth = 0, branches = 1024, lights = 0, leaf = 0;
+  double pixel_tolerance = 0;
   int threads = 0, threads_seen = 0;
   int processes = 1;  // more than 1: co-running copies of one launch
 
@@ -53,6 +62,7 @@ struct Record {
   std::vector<uint64_t> chunks_made;  // of each timed frame
   double build_seconds = 0;
   RayRecord rays;
+  LeftOutRecord left_out;
   std::string image_hash;
   std::vector<WorkerRecord> workers;
 

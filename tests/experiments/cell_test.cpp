@@ -38,6 +38,8 @@ TEST(cell, every_factor_is_in_the_key) {
                                                         {"pattern", "circle:0.25:0.5"},
                                                         {"depth", "7"},
                                                         {"lights", "7"},
+                                                        {"pixel_tolerance", "0.01"},
+                                                        {"branches", "7"},
                                                         {"accel", "none"},
                                                         {"leaf", "7"},
                                                         {"core", "m11"},

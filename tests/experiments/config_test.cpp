@@ -78,9 +78,16 @@ TEST(config, each_bad_value_is_told_by_file_line_and_possible_values) {
   EXPECT_EQ(errors(head + "[sweep]\nthreads = [1, -1, 1000000000]\n"),
             "sweep.toml:3: threads = -1 is out of range: a whole number from 1 to 1024 is possible\n"
             "sweep.toml:3: threads = 1000000000 is out of range: a whole number from 1 to 1024 is possible");
+  EXPECT_EQ(errors(head + "[sweep]\nthreads = 1.5\n"),
+            "sweep.toml:3: threads = 1.5 is not a whole number in range: a whole number from 1 to 1024 is "
+            "possible");
   EXPECT_EQ(
-      errors(head + "[sweep]\nthreads = 1.5\n"),
+      errors(head + "[sweep]\nthreads = true\n"),
       "sweep.toml:3: threads must be whole numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"");
+  EXPECT_EQ(errors(head + "[sweep]\npixel_tolerance = [0.01, 2]\n"),
+            "sweep.toml:3: pixel_tolerance = 2 is not possible: a number from 0 to 1, of the film's units, "
+            "where 1 is "
+            "white; 0 ends no path early");
   EXPECT_EQ(errors(head + "[sweep]\nitem = []\n"),
             "sweep.toml:3: item is an empty list; name one value at least");
   EXPECT_EQ(errors(head + "[scene]\nmodes = [\"easy\"]\n"),

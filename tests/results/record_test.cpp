@@ -56,6 +56,20 @@ TEST_F(RecordFile, another_line_that_is_no_record_is_told_with_its_number) {
   }
 }
 
+TEST_F(RecordFile, a_record_of_schema_1_is_read_as_one_without_early_endings) {
+  auto json = to_json(make_record("serial", 1, 0, 1));
+  json["schema"] = 1;
+  for (const char* since_2 : {"pixel_tolerance", "branches", "left_out"}) json.erase(since_2);
+  write(json.dump() + "\n");
+  const auto records = read_records(file);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_EQ(records[0].pixel_tolerance, 0);
+  EXPECT_EQ(records[0].branches, 1024);
+  json["schema"] = 2;
+  write(json.dump() + "\n");
+  EXPECT_THROW((void)read_records(file), RecordError) << "schema 2 has them";
+}
+
 TEST_F(RecordFile, another_schema_is_refused_by_a_sentence) {
   auto json = to_json(make_record("serial", 1, 0, 1));
   json["schema"] = 99;
@@ -64,7 +78,7 @@ TEST_F(RecordFile, another_schema_is_refused_by_a_sentence) {
     (void)read_records(file);
     FAIL();
   } catch (const RecordError& error) {
-    EXPECT_NE(std::string(error.what()).find("schema 99 is unknown here; this version reads schema 1"),
+    EXPECT_NE(std::string(error.what()).find("schema 99 is unknown here; this version reads schemas 1 to 2"),
               std::string::npos);
   }
 }

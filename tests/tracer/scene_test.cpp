@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -135,14 +136,38 @@ TEST(frame_meshes, a_mesh_far_out_is_moved_to_the_origin) {
   EXPECT_LT(length(scene.camera.position), 20);
 }
 
+TEST(load_scene, as_many_lights_as_asked_for_else_its_own) {
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    const std::string name(built_in.name);
+    EXPECT_EQ(load_scene(name).lights.size(), static_cast<size_t>(own_light_count(name)));
+    EXPECT_EQ(load_scene(name, 5).lights.size(), 5u);
+    EXPECT_TRUE(load_scene(name, 0).lights.empty());
+  }
+  const std::string file = RAYSWEEP_SOURCE_DIR "/experiments/scenes/glass-ball.toml";
+  const int count = own_light_count(file);
+  EXPECT_EQ(load_scene(file).lights.size(), static_cast<size_t>(count));
+  EXPECT_EQ(load_scene(file, 1).lights.size(), 1u);
+  try {
+    (void)load_scene(file, count + 1);
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_EQ(error.what(),
+              fmt::format("{0}: has {1} lights, {2} were asked for; ask for at most {1} or add lights "
+                          "to it",
+                          file, count, count + 1));
+  }
+}
+
 TEST(load_scene, an_unknown_scene_is_told_with_the_known_ones) {
   try {
     (void)load_scene("chair-bell", 1);
     FAIL();
   } catch (const SceneError& error) {
-    EXPECT_STREQ(error.what(),
-                 "no scene \"chair-bell\": it is neither built in (those are: chair-ball, studio) nor a mesh "
-                 "file that can be opened");
+    std::string names;
+    for (const BuiltInScene& scene : built_in_scenes())
+      names += (names.empty() ? "" : ", ") + std::string(scene.name);
+    EXPECT_EQ(error.what(), "no scene \"chair-bell\": it is neither built in (those are: " + names +
+                                ") nor a scene or mesh file that can be opened");
   }
 }
 

@@ -6,33 +6,74 @@
 #include <filesystem>
 
 #include "tracer/scene/chair_ball.h"
+#include "tracer/scene/scene_file.h"
 #include "tracer/scene/studio.h"
 
 namespace raysweep {
 
+namespace {
+
+constexpr int mesh_light_count = 2;
+
+const BuiltInScene* find_built_in(std::string_view name) {
+  for (const BuiltInScene& scene : built_in_scenes()) {
+    if (scene.name == name) return &scene;
+  }
+  return nullptr;
+}
+
+bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
+
+void refuse_what_is_no_file(const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(file, error)) return;
+  std::string names;
+  for (const BuiltInScene& scene : built_in_scenes())
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", scene.name);
+  throw SceneError(
+      fmt::format("no scene \"{}\": it is neither built in (those are: {}) nor a scene or mesh file that can "
+                  "be opened",
+                  file, names));
+}
+
+Scene load_first_lights(const std::string& file, int light_count) {
+  Scene scene = load_scene_file(file);
+  if (light_count == own_lights) return scene;
+  const auto count = static_cast<size_t>(light_count);
+  if (count > scene.lights.size()) {
+    throw SceneError(
+        fmt::format("{}: has {} lights, {} were asked for; ask for at most {} or add lights to it", file,
+                    scene.lights.size(), count, scene.lights.size()));
+  }
+  scene.lights.resize(count);
+  return scene;
+}
+
+}  // namespace
+
 std::span<const BuiltInScene> built_in_scenes() {
   static constexpr std::array<BuiltInScene, 2> list{
-      {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)",
+      {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)", 1,
         make_chair_ball},
-       {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture",
+       {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture", 3,
         make_studio}}};
   return list;
 }
 
 Scene load_scene(const std::string& name_or_file, int light_count) {
-  std::string names;
-  for (const BuiltInScene& scene : built_in_scenes()) {
-    if (scene.name == name_or_file) return scene.make(light_count);
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", scene.name);
-  }
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(name_or_file, error)) {
-    throw SceneError(
-        fmt::format("no scene \"{}\": it is neither built in (those are: {}) nor a mesh file that can be "
-                    "opened",
-                    name_or_file, names));
-  }
-  return frame_meshes(name_or_file, load_meshes(name_or_file), light_count);
+  if (const BuiltInScene* const scene = find_built_in(name_or_file))
+    return scene->make(light_count == own_lights ? scene->light_count : light_count);
+  refuse_what_is_no_file(name_or_file);
+  if (is_scene_file(name_or_file)) return load_first_lights(name_or_file, light_count);
+  return frame_meshes(name_or_file, load_meshes(name_or_file),
+                      light_count == own_lights ? mesh_light_count : light_count);
+}
+
+int own_light_count(const std::string& name_or_file) {
+  if (const BuiltInScene* const scene = find_built_in(name_or_file)) return scene->light_count;
+  refuse_what_is_no_file(name_or_file);
+  if (!is_scene_file(name_or_file)) return mesh_light_count;
+  return static_cast<int>(load_scene_file(name_or_file).lights.size());
 }
 
 }  // namespace raysweep

@@ -1,4 +1,4 @@
-// Scenes by name, and scenes from mesh files.
+// Scenes by name, and scenes from files.
 #pragma once
 
 #include <span>
@@ -13,14 +13,22 @@ namespace raysweep {
 /// A scene of this project's own making.
 struct BuiltInScene {
   std::string_view name, summary;
+  int light_count;  // its own; others can be asked for
   Scene (*make)(int light_count);
 };
 
 /// The one list of built-in scenes.
 [[nodiscard]] std::span<const BuiltInScene> built_in_scenes();
 
-/// The scene named `name_or_file`, or, if that is no built-in name, the mesh in that file. Throws SceneError.
-[[nodiscard]] Scene load_scene(const std::string& name_or_file, int light_count);
+/// As many lights as the scene itself has.
+inline constexpr int own_lights = -1;
+
+/// The scene named `name_or_file`, or, if that is no built-in name, the one in that file: a scene in TOML, of
+/// whose lights the first `light_count` are taken, or a mesh. Throws SceneError.
+[[nodiscard]] Scene load_scene(const std::string& name_or_file, int light_count = own_lights);
+
+/// How many lights `own_lights` stands for. Throws SceneError.
+[[nodiscard]] int own_light_count(const std::string& name_or_file);
 
 /// What is wrong with a scene, as a sentence that names it.
 struct SceneError : std::runtime_error {

@@ -1,0 +1,26 @@
+// What `raysweep render` tells of the picture that it made.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "experiments/render_job.h"
+#include "tracer/compare.h"
+
+namespace raysweep {
+
+struct RenderOutcome {
+  std::string out;
+  int frames = 1;
+  double seconds = 0;                           // of all frames
+  std::optional<PictureDifference> difference;  // from the reference, where one was given
+};
+
+/// All of it, as one JSON document.
+[[nodiscard]] nlohmann::json describe(const Cell& cell, const RenderJob& job, const RenderOutcome& outcome);
+
+/// The same in a few lines for people.
+void print_outcome(const Cell& cell, const RenderJob& job, const RenderOutcome& outcome);
+
+}  // namespace raysweep
