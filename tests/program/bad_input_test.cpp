@@ -43,7 +43,7 @@ class BadInput : public testing::Test {
 
 TEST_F(BadInput, no_such_scene) {
   expect_no_picture({"--scene", "chair-bell"},
-                    "no scene \"chair-bell\": it is neither built in (those are: chair-ball, studio)");
+                    "no scene \"chair-bell\": it is neither built in (those are: chair-ball, studio, ");
   expect_no_run("[scene]\nname = \"chair-bell\"\n", "sweep.toml:2: no scene \"chair-bell\"");
 }
 

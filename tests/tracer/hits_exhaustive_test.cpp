@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tracer/hit_rays.h"
+#include "tests/tracer/variants.h"
 #include "tracer/intersect/all.h"
 #include "tracer/scene/scenes.h"
 
@@ -12,15 +13,13 @@ constexpr size_t ray_count = 1'000'000;
 
 class Exhaustive : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 INSTANTIATE_TEST_SUITE_P(hits, Exhaustive,
-                         testing::Combine(testing::Values("chair-ball", "studio"),
+                         testing::Combine(testing::ValuesIn(scene_names()),
                                           testing::Values("primary", "shadow", "reflected")),
                          [](const auto& info) {
                            std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
-
-TEST(exhaustive, covers_every_scene) { EXPECT_EQ(built_in_scenes().size(), 2u) << "add the new scene above"; }
 
 TEST_P(Exhaustive, a_million_rays_agree) {
   const auto& [name, kind] = GetParam();

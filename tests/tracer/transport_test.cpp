@@ -75,16 +75,11 @@ TEST(energy, coefficients_that_sum_to_1_or_less_never_brighten) {
 }
 
 class EveryScene : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(transport, EveryScene, testing::ValuesIn([] {
-                           std::vector<std::string> names;
-                           for (const BuiltInScene& scene : built_in_scenes()) names.emplace_back(scene.name);
-                           return names;
-                         }()),
-                         [](const auto& info) {
-                           std::string name = info.param;
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(transport, EveryScene, testing::ValuesIn(scene_names()), [](const auto& info) {
+  std::string name = info.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
 
 TEST_P(EveryScene, a_tolerance_is_kept_in_every_pixel_and_saves_rays) {
   const Scene scene = load_scene(GetParam(), 2);

@@ -1,9 +1,11 @@
 // Every way of computing a picture, for tests that hold in all of them.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tracer/render.h"
+#include "tracer/scene/scenes.h"
 
 namespace raysweep {
 
@@ -26,6 +28,13 @@ inline std::vector<RenderSettings> all_variants() {
     }
   }
   return list;
+}
+
+/// Of all built-in scenes.
+inline std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const BuiltInScene& scene : built_in_scenes()) names.emplace_back(scene.name);
+  return names;
 }
 
 /// The whole picture.

@@ -49,12 +49,17 @@ class M11Core {
 
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
-    return occluded_by(ray, t_max, [](uint32_t) { return true; });
+    return visit_hits(ray, t_max, [](const Hit<T>&) { return true; });
   }
 
-  /// Whether anything opaque is hit with 0 < t < t_max.
-  [[nodiscard]] bool occluded_by_opaque(const Ray<T>& ray, T t_max) const {
-    return occluded_by(ray, t_max, [this](uint32_t id) { return primitives_.is_opaque(id); });
+  /// Shows `visit` hits with 0 < t < t_max, in no particular order, each once, until it returns true; whether
+  /// it did.
+  template <class Visit>
+  bool visit_hits(const Ray<T>& ray, T t_max, Visit&& visit) const {
+    if (!is_finite(ray)) return false;
+    Query query(ray, Hit<T>::start());
+    return visit_objects(unbounded_, query, t_max, visit) ||
+           (root_ && visit_inside(*root_, query, t_max, visit));
   }
 
  private:
@@ -135,28 +140,25 @@ class M11Core {
     return right.before(left) ? right : left;
   }
 
-  template <class Blocks>
-  [[nodiscard]] bool occluded_by(const Ray<T>& ray, T t_max, const Blocks& blocks) const {
-    if (!is_finite(ray)) return false;
-    const Query query(ray, Hit<T>::start());
-    return any_of(unbounded_, query, t_max, blocks) || (root_ && occluded_in(*root_, query, t_max, blocks));
-  }
-
-  template <class Blocks>
-  static bool any_of(const Objects& objects, const Query& query, T t_max, const Blocks& blocks) {
+  template <class Visit>
+  bool visit_objects(const Objects& objects, Query& query, T t_max, const Visit& visit) const {
     for (const auto& object : objects) {
-      if (!blocks(object->id)) continue;
-      const auto t = object->intersect(query);
-      if (t && *t < t_max) return true;
+      query.after = Hit<T>::start();
+      while (const auto t = object->intersect(query)) {
+        if (!(*t < t_max)) break;
+        query.after = {*t, object->id};
+        if (visit(query.after)) return true;
+        if (!primitives_.is_met_twice(object->id)) break;
+      }
     }
     return false;
   }
 
-  template <class Blocks>
-  static bool occluded_in(const TreeNode& node, const Query& query, T t_max, const Blocks& blocks) {
+  template <class Visit>
+  bool visit_inside(const TreeNode& node, Query& query, T t_max, const Visit& visit) const {
     if (slab(node.box, query.slab_ray).empty()) return false;
-    if (!node.left) return any_of(node.objects, query, t_max, blocks);
-    return occluded_in(*node.left, query, t_max, blocks) || occluded_in(*node.right, query, t_max, blocks);
+    if (!node.left) return visit_objects(node.objects, query, t_max, visit);
+    return visit_inside(*node.left, query, t_max, visit) || visit_inside(*node.right, query, t_max, visit);
   }
 
   Primitives<T, Method> primitives_;

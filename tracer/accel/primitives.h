@@ -30,6 +30,8 @@ class Primitives {
   [[nodiscard]] const std::vector<Box<T>>& boxes() const { return boxes_; }
   [[nodiscard]] uint32_t material(uint32_t id) const { return materials_[id]; }
   [[nodiscard]] bool is_opaque(uint32_t id) const { return opaque_[materials_[id]] != 0; }
+  /// Whether a ray can meet this primitive in two places.
+  [[nodiscard]] bool is_met_twice(uint32_t id) const { return id >= first_sphere() && id < first_triangle(); }
   [[nodiscard]] const Prepared& triangle(uint32_t id) const { return prepared_[id - first_triangle()]; }
 
   /// The first distance to plane `id` that comes after `after`.

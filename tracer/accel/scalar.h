@@ -48,12 +48,32 @@ class ScalarCore {
 
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
-    return occluded_by(ray, t_max, [](uint32_t) { return true; });
+    return visit_hits(ray, t_max, [](const Hit<T>&) { return true; });
   }
 
-  /// Whether anything opaque is hit with 0 < t < t_max.
-  [[nodiscard]] bool occluded_by_opaque(const Ray<T>& ray, T t_max) const {
-    return occluded_by(ray, t_max, [this](uint32_t id) { return primitives_.is_opaque(id); });
+  /// Shows `visit` hits with 0 < t < t_max, in no particular order, each once, until it returns true; whether
+  /// it did.
+  template <class Visit>
+  bool visit_hits(const Ray<T>& ray, T t_max, Visit&& visit) const {
+    if (!is_finite(ray)) return false;
+    const auto visit_all = [&](uint32_t id, auto&& intersect_after) {
+      Hit<T> last = Hit<T>::start();
+      while (const auto t = intersect_after(last)) {
+        if (!(*t < t_max)) return false;
+        last = {*t, id};
+        if (visit(last)) return true;
+        if (!primitives_.is_met_twice(id)) return false;
+      }
+      return false;
+    };
+    for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
+      if (visit_all(id, [&](const Hit<T>& last) { return primitives_.intersect_plane(id, ray, last); }))
+        return true;
+    }
+    const SlabRay<T> slab_ray(ray);
+    return traverse(slab_ray, T(0), t_max, [&](const Item& item, T&) {
+      return visit_all(item.id, [&](const Hit<T>& last) { return intersect(item, ray, slab_ray, last); });
+    });
   }
 
  private:
@@ -78,24 +98,6 @@ class ScalarCore {
     if (item.id < primitives_.first_triangle())
       return primitives_.intersect_sphere(item.id, ray, slab_ray, after);
     return primitives_.intersect_triangle(item.id, item.prepared, ray, slab_ray, after);
-  }
-
-  /// Whether anything with `blocks(id)` is hit with 0 < t < t_max.
-  template <class Blocks>
-  [[nodiscard]] bool occluded_by(const Ray<T>& ray, T t_max, Blocks&& blocks) const {
-    if (!is_finite(ray)) return false;
-    constexpr Hit<T> start = Hit<T>::start();
-    for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
-      if (!blocks(id)) continue;
-      const auto t = primitives_.intersect_plane(id, ray, start);
-      if (t && *t < t_max) return true;
-    }
-    const SlabRay<T> slab_ray(ray);
-    return traverse(slab_ray, T(0), t_max, [&](const Item& item, T& limit) {
-      if (!blocks(item.id)) return false;
-      const auto t = intersect(item, ray, slab_ray, start);
-      return t && *t < limit;
-    });
   }
 
   /// Shows `visit(item, limit)` every item whose boxes the ray is inside of at `t_min ≤ t ≤ limit`, roughly

@@ -15,7 +15,11 @@ template <class Core>
 class GlassPaths {
  public:
   using T = typename Core::Real;
-  using Scratch = PendingRays<T>;
+  /// Storage kept from sample to sample.
+  struct Scratch {
+    PendingRays<T> pending;
+    std::vector<Hit<T>> hits;
+  };
 
   GlassPaths(const Scene& scene, const RenderSettings& settings)
       : lighting_(scene),
@@ -32,8 +36,9 @@ class GlassPaths {
   /// The tolerance's proof: `rest` bounds what all waiting rays together would add to any channel, each by
   /// its weight × the bound of its levels. Ending when that is within the tolerance loses at most that, once
   /// a sample; a pixel is the mean of its samples.
-  Vec3<T> trace(const Core& core, const Ray<T>& ray, RenderCounts& counts, Scratch& pending) const {
-    Sample sample{core, counts, pending, {}, 0};
+  Vec3<T> trace(const Core& core, const Ray<T>& ray, RenderCounts& counts, Scratch& scratch) const {
+    PendingRays<T>& pending = scratch.pending;
+    Sample sample{core, counts, scratch, {}, 0};
     pending.clear();
     add(sample, {ray, {1, 1, 1}, 1, false, media_.at_camera()});
     for (int traced = 0; !pending.empty(); ++traced) {
@@ -56,7 +61,7 @@ class GlassPaths {
   struct Sample {
     const Core& core;
     RenderCounts& counts;
-    Scratch& pending;
+    Scratch& scratch;
     Vec3<T> colour;
     double rest;  // what all pending rays can add at most
   };
@@ -71,7 +76,7 @@ class GlassPaths {
       sample.counts.left_out.by_depth++;
       return;
     }
-    sample.pending.add(ray);
+    sample.scratch.pending.add(ray);
     sample.rest += bound_of(ray);
   }
 
@@ -88,7 +93,7 @@ class GlassPaths {
     const Ray<T> mirrored =
         spawn(surface, normalize(reflect(direction, surface.normal)), true, found->clearance);
     const auto share = [&](const Ray<T>& to_light, T distance) {
-      return light_share(sample.core, to_light, distance, found->before);
+      return light_share(sample, to_light, distance, found->before);
     };
     const Vec3<T> local =
         lighting_.at(material, mirrored.origin, surface.normal, direction, sample.counts.rays, share);
@@ -106,28 +111,31 @@ class GlassPaths {
   /// anything opaque; else every surface between two media, and every sheet, takes its share (Morozov
   /// 2011, 3.1.2), in the order in which the ray meets them. A ray through an edge meets both its triangles,
   /// and pays once.
-  Vec3<T> light_share(const Core& core, const Ray<T>& ray, T distance, MediumSet inside) const {
-    if (core.occluded_by_opaque(ray, distance)) return {};
+  Vec3<T> light_share(Sample& sample, const Ray<T>& ray, T distance, MediumSet inside) const {
+    const auto& primitives = sample.core.primitives();
+    std::vector<Hit<T>>& hits = sample.scratch.hits;
+    hits.clear();
+    const bool blocked = sample.core.visit_hits(ray, distance, [&](const Hit<T>& hit) {
+      hits.push_back(hit);
+      return primitives.is_opaque(hit.id);
+    });
+    if (blocked) return {};
+    std::ranges::sort(hits, [](const Hit<T>& a, const Hit<T>& b) { return a.before(b); });
     Vec3<T> share(1, 1, 1);
-    Hit<T> last = Hit<T>::start();
-    uint32_t sheet = MediumSet::outside;  // that `last` passed
-    for (auto hit = core.closest(ray, last, distance); hit && hit->t < distance;
-         hit = core.closest(ray, last, distance)) {
-      const uint32_t rank = media_.rank(hit->id);
+    Hit<T> last_sheet = Hit<T>::start();
+    for (const Hit<T>& hit : hits) {
       bool pays = true;
-      if (media_.crossing(hit->id) == Media::Crossing::sheet) {
-        const bool same_place = hit->t <= last.t * (1 + gamma_bound<T>(16));
-        pays = !(sheet == rank && same_place);
-        sheet = rank;
+      if (media_.crossing(hit.id) == Media::Crossing::sheet) {
+        const bool same_place = hit.t <= last_sheet.t * (1 + gamma_bound<T>(16));
+        pays = !(same_place && media_.rank(hit.id) == media_.rank(last_sheet.id));
+        last_sheet = hit;
       } else {
         const uint32_t before = inside.top();
-        media_.cross(inside, hit->id, core.primitives().surface(ray, *hit).against);
+        media_.cross(inside, hit.id, primitives.surface(ray, hit).against);
         pays = inside.top() != before;
-        sheet = MediumSet::outside;
       }
-      const Surfacing<T>& passed = lighting_.material(core.primitives().material(hit->id));
+      const Surfacing<T>& passed = lighting_.material(primitives.material(hit.id));
       if (pays) share = share * passed.filter * passed.refract;
-      last = *hit;
     }
     return share;
   }

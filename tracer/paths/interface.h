@@ -26,9 +26,26 @@ class InterfaceFinder {
   InterfaceFinder(const Core& core, const Media& media) : core_(core), media_(media) {}
 
   /// The next interface along `ray`, which starts in `inside`; `inside` becomes the media where the ray
-  /// leaves the scene if there is none. Boundaries inside a medium of higher rank are passed: nothing changes
-  /// there.
+  /// leaves the scene if there is none.
+  ///
+  /// Methods that are not watertight let one ray in some ten millions slip between two triangles. One that
+  /// would leave the scene from inside of something has done so: it tries again with its direction moved by a
+  /// few ulps.
   [[nodiscard]] std::optional<Interface<T>> next(const Ray<T>& ray, MediumSet& inside) const {
+    const MediumSet start = inside;
+    auto found = first_along(ray, inside);
+    for (int axis = 0; axis < 3 && !found && !media_.may_end_in(inside); ++axis) {
+      const T shift = 16 * unit_roundoff<T>;
+      const Vec3<T> aside(axis == 0 ? shift : 0, axis == 1 ? shift : 0, axis == 2 ? shift : 0);
+      inside = start;
+      found = first_along({ray.origin, ray.direction + aside}, inside);
+    }
+    return found;
+  }
+
+ private:
+  /// Boundaries inside a medium of higher rank are passed: nothing changes there.
+  [[nodiscard]] std::optional<Interface<T>> first_along(const Ray<T>& ray, MediumSet& inside) const {
     Hit<T> last = Hit<T>::start();
     while (const auto hit = core_.closest(ray, last)) {
       Interface<T> found = at(ray, *hit, inside, last);
@@ -38,7 +55,6 @@ class InterfaceFinder {
     return std::nullopt;
   }
 
- private:
   [[nodiscard]] bool is_sheet(uint32_t id) const { return media_.crossing(id) == Media::Crossing::sheet; }
 
   /// All that the ray crosses at `first`; `last` becomes the last of it.

@@ -6,6 +6,10 @@
 #include <filesystem>
 
 #include "tracer/scene/chair_ball.h"
+#include "tracer/scene/cornell_glass.h"
+#include "tracer/scene/ice.h"
+#include "tracer/scene/many_lights.h"
+#include "tracer/scene/marbles.h"
 #include "tracer/scene/scene_file.h"
 #include "tracer/scene/studio.h"
 
@@ -52,11 +56,19 @@ Scene load_first_lights(const std::string& file, int light_count) {
 }  // namespace
 
 std::span<const BuiltInScene> built_in_scenes() {
-  static constexpr std::array<BuiltInScene, 2> list{
+  static constexpr std::array<BuiltInScene, 6> list{
       {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)", 1,
         make_chair_ball},
        {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture", 3,
-        make_studio}}};
+        make_studio},
+       {"ice", "a block of ice with a hollow, half full of a liquid: three nested media", 2, make_ice},
+       {"cornell-glass", "a room with glass around water around air, and media that touch", 1,
+        make_cornell_glass},
+       {"many-lights", "a field of balls under 64 coloured lamps: shadow rays are nearly all of the work", 64,
+        make_many_lights},
+       {"marbles",
+        "a heap of glass marbles in the corner of an empty picture: the cost of tiles is very uneven", 2,
+        make_marbles}}};
   return list;
 }
 

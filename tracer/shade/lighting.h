@@ -26,6 +26,7 @@ class Lighting {
   Vec3<T> at(const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal,
              const Vec3<T>& from_eye, RayCounts& rays, Visible&& visible) const {
     Vec3<T> sum = material.ambient;
+    if (!material.answers_light) return sum;
     for (const PointLight& light : lights_) {
       const Vec3<T> towards = light.position - point;
       const T distance = length(towards);

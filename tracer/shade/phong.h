@@ -12,6 +12,7 @@ struct Surfacing {
   Vec3<T> filter;
   T exponent, reflect, refract;
   bool fresnel;
+  bool answers_light;  // whether lights change anything
 
   Surfacing(const Material& m, const Colour& ambient_light)
       : ambient(m.ambient * ambient_light * m.k_ambient),
@@ -21,7 +22,8 @@ struct Surfacing {
         exponent(static_cast<T>(m.exponent)),
         reflect(static_cast<T>(m.k_reflect)),
         refract(static_cast<T>(m.k_refract)),
-        fresnel(m.fresnel) {}
+        fresnel(m.fresnel),
+        answers_light(max_abs(diffuse) > 0 || max_abs(specular) > 0) {}
 };
 
 /// `I − 2N(N·I)`.
