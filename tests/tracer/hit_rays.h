@@ -6,10 +6,21 @@
 #include <vector>
 
 #include "tracer/accel/scalar.h"
+#include "tracer/intersect/moller_trumbore.h"
 #include "tracer/scene/view.h"
 #include "tracer/shade/phong.h"
 
 namespace raysweep {
+
+/// Counts its tests: what a core visits.
+struct CountingMethod : MollerTrumbore {
+  static inline long tests = 0;
+  template <class T>
+  static std::optional<TriangleHit<T>> intersect(const Ray<T>& ray, const Prepared<T>& triangle) {
+    tests++;
+    return MollerTrumbore::intersect(ray, triangle);
+  }
+};
 
 template <class T>
 struct TestRay {

@@ -107,16 +107,6 @@ TEST(hits, accepting_by_boxes_changes_distances_by_rounding_only) {
   }
 }
 
-/// Counts its tests: what a core visits.
-struct CountingMethod : MollerTrumbore {
-  static inline int tests = 0;
-  template <class T>
-  static std::optional<TriangleHit<T>> intersect(const Ray<T>& ray, const Prepared<T>& triangle) {
-    tests++;
-    return MollerTrumbore::intersect(ray, triangle);
-  }
-};
-
 TEST(m11, visits_every_leaf_that_the_ray_passes_where_the_scalar_core_stops_at_the_nearest) {
   Scene scene;
   scene.materials = {{}};
@@ -132,7 +122,7 @@ TEST(m11, visits_every_leaf_that_the_ray_passes_where_the_scalar_core_stops_at_t
   const auto count = [&](const auto& core) {
     CountingMethod::tests = 0;
     EXPECT_EQ(core.closest(through_all)->t, 1);
-    return CountingMethod::tests;
+    return static_cast<int>(CountingMethod::tests);
   };
   EXPECT_EQ(count(M11Core<float, CountingMethod>(scene, "median", 1)), static_cast<int>(walls));
   EXPECT_EQ(count(ScalarCore<float, CountingMethod>(scene, "median", 1)), 1);
