@@ -7,6 +7,7 @@
 
 #include "experiments/cell_factors.h"
 #include "experiments/cell_record.h"
+#include "tracer/scene/scenes.h"
 
 namespace raysweep {
 
@@ -77,10 +78,13 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       cells = std::move(extended);
     }
     const int lights = own_light_count(config.scene);
+    int most = 0;
     for (Cell& cell : cells) {
       if (cell.lights == own_lights) cell.lights = lights;
+      most = std::max(most, cell.lights);
       planner.add_with_bases(cell);
     }
+    (void)load_scene(config.scene, most);  // a file that has fewer lights is refused before anything runs
   }
   return plan;
 }

@@ -30,6 +30,7 @@ struct Plan {
   [[nodiscard]] std::vector<size_t> order(int round) const;
 };
 
+/// Throws SceneError if the scene cannot have the lights that are asked for.
 [[nodiscard]] Plan make_plan(const Config& config, const MachineSize& machine);
 
 /// plan.json: every cell, in order, as a record without measurements; the seed and each round's order.

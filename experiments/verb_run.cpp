@@ -140,13 +140,16 @@ std::vector<Config> read_configs(const RunOptions& options, const Machine& machi
 std::vector<Prepared> prepare(std::vector<Config> configs, const RunOptions& options,
                               const Machine& machine) {
   std::vector<Prepared> list;
+  // Every plan before the first folder: what one refuses leaves nothing of the others.
   for (Config& config : configs) {
-    std::filesystem::path out =
-        options.out.empty() ? default_folder(config) : std::filesystem::path(options.out);
-    if (!options.out.empty() && configs.size() > 1) out /= config.experiment;
     Plan plan = make_plan(config, machine.size());
-    auto folder = std::make_unique<RunFolder>(out, config, plan, machine, options.resume);
-    list.push_back({std::move(config), std::move(plan), std::move(folder)});
+    list.push_back({std::move(config), std::move(plan), nullptr});
+  }
+  for (Prepared& p : list) {
+    std::filesystem::path out =
+        options.out.empty() ? default_folder(p.config) : std::filesystem::path(options.out);
+    if (!options.out.empty() && list.size() > 1) out /= p.config.experiment;
+    p.folder = std::make_unique<RunFolder>(out, p.config, p.plan, machine, options.resume);
   }
   return list;
 }

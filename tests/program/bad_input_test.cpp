@@ -47,6 +47,40 @@ TEST_F(BadInput, no_such_scene) {
   expect_no_run("[scene]\nname = \"chair-bell\"\n", "sweep.toml:2: no scene \"chair-bell\"");
 }
 
+TEST_F(BadInput, a_scene_file_with_errors_tells_them_all) {
+  const std::string scene = folder.write(
+      "s.toml", "[[objects]]\nshape = \"sphere\"\ncentre = [0, 0]\nradius = -1\nmaterial = \"glas\"\n");
+  for (const char* sentence : {"s.toml:3: ", "s.toml:4: ", "s.toml:5: "}) {
+    expect_no_picture({"--scene", scene}, sentence);
+    expect_no_run("[scene]\nfile = \"s.toml\"\n", sentence);
+  }
+}
+
+TEST_F(BadInput, more_lights_than_a_scene_file_has) {
+  const std::string scene = folder.write("s.toml",
+                                         "[camera]\nposition = [0, 2, 5]\ntarget = [0, 0, 0]\n[materials.a]\n"
+                                         "[[objects]]\nshape = \"sphere\"\ncentre = [0, 0, 0]\nradius = 1\n"
+                                         "material = \"a\"\n");
+  expect_no_picture({"--scene", scene, "--lights", "2"}, "has 0 lights, 2 were asked for");
+  expect_no_run("[scene]\nfile = \"s.toml\"\nmodes = [\"hard\"]\n", "has 0 lights, 2 were asked for");
+}
+
+TEST_F(BadInput, references_that_are_none) {
+  expect_no_picture({"--reference", folder.file("none.exr")}, "none.exr");
+  expect_no_picture({"--reference", folder.write("a.exr", "no picture")}, "a.exr");
+  ASSERT_EQ(run_program({"render", "--width", "8", "--height", "8", "--out", folder.file("r.exr")}).exit_code,
+            0);
+  expect_no_picture({"--width", "9", "--height", "8", "--reference", folder.file("r.exr")},
+                    "is 8 × 8, the picture 9 × 8; they must be equal");
+}
+
+TEST_F(BadInput, tolerances_and_branches_out_of_range) {
+  expect_no_picture({"--pixel-tolerance", "nan"},
+                    "pixel_tolerance = nan is not possible: a number from 0 to 1");
+  expect_no_picture({"--pixel-tolerance", "-0.1"}, "pixel_tolerance = -0.1 is not possible");
+  expect_no_picture({"--branches", "0"}, "branches = 0 is out of range: a whole number from 1 to 1048576");
+}
+
 #if RAYSWEEP_HAS_ASSIMP
 TEST_F(BadInput, a_mesh_that_is_none) {
   expect_bad_mesh("a.obj", "this is no mesh\n", "a.obj: ");

@@ -61,6 +61,68 @@ TEST(render, writes_the_picture_and_tells_its_numbers) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(render, a_double_reference_tells_how_far_a_float_picture_is_off) {
+  const TemporaryFolder folder;
+  const std::string reference = folder.file("reference.exr");
+  const std::vector<std::string> picture{"render",   "--scene", "ice",     "--width", "40",
+                                         "--height", "32",      "--depth", "6",       "--json"};
+  const auto render = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), picture.begin(), picture.end());
+    return json_of(more);
+  };
+  EXPECT_FALSE(render({"--precision", "double", "--out", reference}).contains("difference"));
+  const auto same =
+      render({"--precision", "double", "--reference", reference, "--out", folder.file("a.exr")});
+  EXPECT_EQ(same["difference"]["rmse"], 0);
+  EXPECT_EQ(same["difference"]["differing_hits"], 0);
+  EXPECT_EQ(read_file(reference), read_file(folder.file("a.exr"))) << "byte for byte";
+  const auto rough = render({"--reference", reference, "--out", folder.file("b.png")});
+  EXPECT_GT(rough["difference"]["rmse"], 0);
+  EXPECT_EQ(rough["difference"]["non_finite"], 0);
+  EXPECT_GT(rough["rays"]["refracted"], 100);
+  EXPECT_GT(rough["peak_memory_bytes"], 1000000);
+  const auto text = run_program({"render", "--scene", "ice", "--width", "40", "--height", "32", "--depth",
+                                 "6", "--reference", reference, "--out", folder.file("b.png")});
+  for (const char* part :
+       {"refracted; ", "Mrays/s", "built in", "of memory", "depth limit: ", "against the reference: "})
+    EXPECT_NE(text.out.find(part), std::string::npos) << text.out;
+}
+
+TEST(render, says_what_it_left_out) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> picture{
+      "render",  "--scene", "ice",        "--width", "16",    "--height",          "12",
+      "--depth", "1024",    "--branches", "200",     "--out", folder.file("p.png")};
+  const ProgramResult limited = run_program(picture);
+  EXPECT_NE(limited.out.find("by the limit of rays a sample; no channel of any sample lacks more than"),
+            std::string::npos)
+      << limited.out;
+  std::vector<std::string> with_tolerance = picture;
+  with_tolerance.insert(with_tolerance.end(), {"--pixel-tolerance", "0.05", "--json"});
+  const auto r = json_of(with_tolerance);
+  EXPECT_GT(r["left_out"]["by_tolerance"], 0);
+  EXPECT_EQ(r["left_out"]["lost_media"], 0);
+}
+
+TEST(render, a_scene_file_has_its_own_lights_and_the_first_of_them) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("s.toml",
+                   "[camera]\nposition = [0, 2, 5]\ntarget = [0, 0, 0]\n[materials.a]\ncolour = [1, 1, 1]\n"
+                   "[[objects]]\nshape = \"sphere\"\ncentre = [0, 0, 0]\nradius = 1\nmaterial = \"a\"\n"
+                   "[[lights]]\nposition = [0, 9, 9]\n[[lights]]\nposition = [1, 9, 9]\n");
+  const auto shadow_rays = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "--scene", file, "--width", "16", "--height", "16", "--json",
+                               "--out", folder.file("p.png")});
+    return json_of(more)["rays"]["shadow"].get<int>();
+  };
+  const int two = shadow_rays({});
+  EXPECT_GT(two, 50);
+  EXPECT_LT(shadow_rays({"--lights", "1"}), two);
+  EXPECT_EQ(shadow_rays({"--lights", "0"}), 0);
+  EXPECT_EQ(shadow_rays({"--lights", "scene"}), two);
+}
+
 #if RAYSWEEP_HAS_ASSIMP
 TEST(render, any_mesh_format_gives_the_same_picture) {
   const TemporaryFolder folder;
