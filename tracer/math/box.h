@@ -55,7 +55,8 @@ struct Interval {
 /// (subtraction, multiplication by a constant of fixed sign, min, max, and rounding itself). `accept` in
 /// primitives.h builds on it.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline Interval<T> slab(const Box<T>& box, const SlabRay<T>& ray, T t_min = 0) {
+[[nodiscard, gnu::always_inline]] inline Interval<T> slab(const Box<T>& box, const SlabRay<T>& ray,
+                                                          T t_min = 0) {
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
   constexpr T widen = 1 + 2 * (3 * u / (1 - 3 * u));
   const T near_x = (box.bounds[ray.negative_x].x - ray.origin.x) * ray.reciprocal.x;
