@@ -31,7 +31,7 @@ class Whitted final : public Renderer {
     return counts;
   }
 
-  uint32_t first_hit(int x, int y) const override {
+  [[nodiscard]] uint32_t first_hit(int x, int y) const override {
     const auto hit = core_.closest(view_.through(static_cast<T>(x) + T(0.5), static_cast<T>(y) + T(0.5)));
     return hit ? hit->id : no_hit;
   }

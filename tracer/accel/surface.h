@@ -7,6 +7,7 @@
 // tuned epsilon takes part: clearances scale with coordinates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "tracer/intersect/intersector.h"
@@ -131,7 +132,7 @@ TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(0, 1,
   std::array<Vec3d, 3> p{Vec3d(t.a), Vec3d(t.b), Vec3d(t.c)};
   const auto edge = [&p](size_t opposite) { return length(p[(opposite + 2) % 3] - p[(opposite + 1) % 3]); };
   const size_t apex = edge(0) >= edge(1) && edge(0) >= edge(2) ? 0 : edge(1) >= edge(2) ? 1 : 2;
-  std::ranges::rotate(p, p.begin() + static_cast<std::ptrdiff_t>(apex));
+  std::rotate(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(apex), p.end());
   const Vec3d n = cross(p[1] - p[0], p[2] - p[0]);
   const double area = length(n), longest = edge(0);
   if (!(area > 0)) return;  // no surface: no method hits it

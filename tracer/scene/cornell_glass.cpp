@@ -48,7 +48,8 @@ std::vector<Light> ceiling_lights(int count) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const int rows = columns > 0 ? (count + columns - 1) / columns : 0;
   for (int i = 0; i < count; ++i) {
-    const double x = (i % columns + 0.5) / columns - 0.5, z = (i / columns + 0.5) / rows - 0.5;
+    const int column = i % columns, row = i / columns;
+    const double x = (column + 0.5) / columns - 0.5, z = (row + 0.5) / rows - 0.5;
     lights.push_back({{0.6 * x, 1.93, 0.6 * z}, Colour(0.86, 0.80, 0.70) * (1.0 / count)});
   }
   return lights;
