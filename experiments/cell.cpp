@@ -9,6 +9,12 @@
 
 namespace raysweep {
 
+namespace {
+
+std::string lights_text(const Cell& cell) { return cell.lights ? std::to_string(*cell.lights) : "scene"; }
+
+}  // namespace
+
 std::string Cell::chunk_text() const {
   const SchedulerInfo* const info = find_scheduler(scheduler);
   return info && !info->uses_chunk ? "-" : chunk.text();
@@ -19,8 +25,8 @@ std::string Cell::picture_key() const {
   return fmt::format(
       "scene={},mode={},width={},height={},subpixels={},pattern={},depth={},lights={},core={},method={},"
       "precision={},pixel_tolerance={},branches={}",
-      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights, s.core, s.method, s.precision,
-      s.pixel_tolerance, s.branches);
+      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights_text(*this), s.core, s.method,
+      s.precision, s.pixel_tolerance, s.branches);
 }
 
 std::string Cell::key() const {
@@ -30,7 +36,7 @@ std::string Cell::key() const {
 }
 
 void resolve_lights(Cell& cell) {
-  if (cell.lights == own_lights) cell.lights = own_light_count(cell.scene);
+  if (!cell.lights) cell.lights = own_light_count(cell.scene);
 }
 
 void collapse_ignored_factors(Cell& cell) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "schedulers/scheduler.h"
@@ -14,7 +15,7 @@ struct Cell {
   std::string scene = "chair-ball";  // a built-in name or a scene or mesh file
   std::string mode = "custom";       // whose numbers the settings started from
   RenderSettings settings;
-  int lights = own_lights;  // resolved before anything is planned or rendered
+  std::optional<int> lights;  // none: as many as the scene has; told before anything is planned or run
   std::string scheduler = "serial";
   int threads = 1;
   std::string item = "rows";

@@ -40,10 +40,13 @@ std::string set_choice(const char* name, std::string& target, const std::string&
 /// A count, or "scene" for the scene's own.
 std::string set_lights(Cell& cell, const std::string& value) {
   if (value == "scene") {
-    cell.lights = own_lights;
+    cell.lights.reset();
     return {};
   }
-  return set_int("lights", cell.lights, value, lights_range);
+  int count = 0;
+  std::string problem = set_int("lights", count, value, lights_range);
+  if (problem.empty()) cell.lights = count;
+  return problem;
 }
 
 std::string set_pixel_tolerance(Cell& cell, const std::string& value) {
@@ -145,7 +148,7 @@ const std::array factors{
                [](const Cell& c) { return fmt::format("{}", c.settings.pixel_tolerance); }},
     RAYSWEEP_INT("branches", settings.branches, branches_range, "rays that a sample may trace through glass"),
     CellFactor{"lights", "0 to 64, or scene for as many as it has", true, set_lights,
-               [](const Cell& c) { return c.lights == own_lights ? "scene" : std::to_string(c.lights); }},
+               [](const Cell& c) { return c.lights ? std::to_string(*c.lights) : std::string("scene"); }},
     RAYSWEEP_CHOICE("accel", settings.accel, accels),
     RAYSWEEP_INT("leaf", settings.leaf, leaf_range, "primitives a leaf holds at most"),
     RAYSWEEP_CHOICE("core", settings.core, cores),

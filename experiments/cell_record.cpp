@@ -14,7 +14,7 @@ Record record_of(const Cell& cell) {
   r.depth = cell.settings.depth;
   r.pixel_tolerance = cell.settings.pixel_tolerance;
   r.branches = cell.settings.branches;
-  r.lights = cell.lights;
+  r.lights = cell.lights.value_or(0);
   r.accel = cell.settings.accel;
   r.leaf = cell.settings.leaf;
   r.core = cell.settings.core;

@@ -80,8 +80,7 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
     const int lights = own_light_count(config.scene);
     int most = 0;
     for (Cell& cell : cells) {
-      if (cell.lights == own_lights) cell.lights = lights;
-      most = std::max(most, cell.lights);
+      most = std::max(most, cell.lights.emplace(cell.lights.value_or(lights)));
       planner.add_with_bases(cell);
     }
     (void)load_scene(config.scene, most);  // a file that has fewer lights is refused before anything runs

@@ -49,7 +49,7 @@ void Progress::show(int done, double now, const std::string& label) {
     fmt::print(stderr, "{} of {} {}, {} left\n", done, total_, unit_, left);
     return;
   }
-  const int filled = total_ > 0 ? bar_width * done / total_ : 0;
+  const int filled = total_ > 0 ? static_cast<int>(static_cast<long long>(bar_width) * done / total_) : 0;
   std::string bar;
   for (int i = 0; i < bar_width; ++i) bar += i < filled ? "█" : "░";
   fmt::print(stderr, "\r\033[K{} {}/{}  {} left  {}", bar, done, total_, left, label);

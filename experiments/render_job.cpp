@@ -48,11 +48,20 @@ RenderJob::RenderJob(const Cell& cell)
 
 void RenderJob::frame() { scheduler_->run({tiles_.size()}, chunk_, body_, log_); }
 
-std::vector<uint32_t> RenderJob::hit_ids() const {
-  std::vector<uint32_t> ids;
-  for (int y = 0; y < film_.height(); ++y) {
-    for (int x = 0; x < film_.width(); ++x) ids.push_back(renderer_->first_hit(x, y));
-  }
+std::vector<uint32_t> RenderJob::hit_ids() {
+  const auto width = static_cast<size_t>(film_.width());
+  std::vector<uint32_t> ids(film_.pixels().size());
+  const Body body = [&](size_t first, size_t last, int) {
+    for (size_t i = first; i < last; ++i) {
+      const Tile& tile = tiles_[i];
+      for (int y = tile.y; y < tile.y + tile.height; ++y) {
+        for (int x = tile.x; x < tile.x + tile.width; ++x)
+          ids[static_cast<size_t>(y) * width + static_cast<size_t>(x)] = renderer_->first_hit(x, y);
+      }
+    }
+  };
+  WorkerLog log(threads_);
+  scheduler_->run({tiles_.size()}, chunk_, body, log);
   return ids;
 }
 

@@ -34,7 +34,7 @@ class RenderJob {
   /// Rays and what was left out, of all frames since the last reset.
   [[nodiscard]] RenderCounts counts() const;
   /// What the ray through each pixel's centre meets first, in row order.
-  [[nodiscard]] std::vector<uint32_t> hit_ids() const;
+  [[nodiscard]] std::vector<uint32_t> hit_ids();
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace raysweep {
@@ -28,6 +29,11 @@ RenderCounts of_one_frame(RenderCounts counts, int frames) {
 
 double mrays_per_second(const RenderJob& job, double seconds) {
   return static_cast<double>(job.rays().total()) / seconds / 1e6;
+}
+
+/// NaN: no pixel was finite in both pictures.
+std::string number_or_unknown(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
 }
 
 void print_left_out(const LeftOut& left_out) {
@@ -98,10 +104,10 @@ void print_outcome(const Cell& cell, const RenderJob& job, const RenderOutcome& 
   print_left_out(left_out);
   if (const auto& d = outcome.difference) {
     fmt::print(
-        "against the reference: RMSE {:.3g}, relative MSE {:.3g}, at most {} of 255 in a channel, {} pixels "
+        "against the reference: RMSE {}, relative MSE {}, at most {} of 255 in a channel, {} pixels "
         "differ in 8 bit, {} not finite{}\n",
-        d->rmse, d->relative_mse, d->max_8bit, d->differing_pixels, d->non_finite,
-        d->hits_known ? fmt::format(", {} see another primitive", d->differing_hits) : "");
+        number_or_unknown(d->rmse), number_or_unknown(d->relative_mse), d->max_8bit, d->differing_pixels,
+        d->non_finite, d->hits_known ? fmt::format(", {} see another primitive", d->differing_hits) : "");
   }
   fmt::print("picture {}\n", job.film().hash());
 }

@@ -11,6 +11,9 @@
 
 namespace raysweep {
 
+/// The hit id of a pixel whose centre sees no primitive.
+inline constexpr uint32_t no_hit_id = 0xffffffff;
+
 class Film {
  public:
   Film(int width, int height)

@@ -67,8 +67,7 @@ void check_channels(const Imf::ChannelList& channels, const std::string& path) {
   }
 }
 
-/// A film of the data window's size.
-Film film_for(const Imath::Box2i& window, const std::string& path) {
+ExrSize size_of(const Imath::Box2i& window, const std::string& path) {
   const long long width = 1LL + window.max.x - window.min.x, height = 1LL + window.max.y - window.min.y;
   if (!width_range.contains(width) || !height_range.contains(height)) {
     throw std::runtime_error(fmt::format("{}: {} × {} pixels are too large; at most {} × {} are possible",
@@ -115,6 +114,13 @@ void write_exr(const Film& film, std::span<const uint32_t> hit_ids, const std::s
   });
 }
 
+ExrSize exr_size(const std::string& path) {
+  check_is_exr(path);
+  const auto window =
+      reading(path, [&] { return Imf::InputFile(path.c_str(), own_threads).header().dataWindow(); });
+  return size_of(window, path);
+}
+
 ExrPicture read_exr(const std::string& path) {
   check_is_exr(path);
   std::optional<Imf::InputFile> file;
@@ -122,7 +128,8 @@ ExrPicture read_exr(const std::string& path) {
   if (!file->isComplete()) throw std::runtime_error(path + ": is cut short: scan lines are missing");
   const Imf::Header& header = file->header();
   check_channels(header.channels(), path);
-  ExrPicture picture{film_for(header.dataWindow(), path), {}};
+  const ExrSize size = size_of(header.dataWindow(), path);
+  ExrPicture picture{{size.width, size.height}, {}};
   const Imf::Channel* const id = header.channels().findChannel(id_channel);
   if (id && id->type == Imf::UINT) picture.hit_ids.resize(picture.film.pixels().size());
   reading(path, [&] {

@@ -10,9 +10,6 @@
 
 namespace raysweep {
 
-/// The hit id of a pixel whose centre sees no primitive.
-inline constexpr uint32_t no_hit_id = 0xffffffff;
-
 /// Writes scan lines of the FLOAT channels R, G and B, linear, and unless `hit_ids` is empty a UINT channel
 /// `id`: the primitive that the ray through the pixel's centre meets first, or `no_hit_id`; width·height of
 /// them in row order. Compression (ZIP) loses nothing. The file appears whole or not at all.
@@ -24,6 +21,13 @@ struct ExrPicture {
   Film film;
   std::vector<uint32_t> hit_ids;  // empty unless the file has a UINT channel `id`
 };
+
+struct ExrSize {
+  int width, height;
+};
+
+/// Size of an EXR file's data window, from its header alone. Throws as read_exr does.
+[[nodiscard]] ExrSize exr_size(const std::string& path);
 
 /// Reads the data window of an EXR file, wherever it lies, of scan lines or tiles, with the channels R, G and
 /// B as HALF or FLOAT. Throws std::runtime_error with a sentence for what is missing, is no such file, is

@@ -8,6 +8,10 @@
 namespace raysweep {
 
 std::unique_ptr<const Renderer> make_renderer(const Scene& scene, const RenderSettings& settings) {
+  for (const Material& material : scene.materials) {
+    if (const std::string problem = problem_of(material); !problem.empty())
+      throw std::invalid_argument("scene \"" + scene.name + "\": a material's " + problem);
+  }
   std::unique_ptr<const Renderer> renderer;
   if (settings.core == "scalar") renderer = make_scalar_renderer(scene, settings);
   if (settings.core == "m11") renderer = make_m11_renderer(scene, settings);

@@ -24,13 +24,12 @@ class Renderer {
   virtual ~Renderer() = default;
   /// Writes the tile's pixels into `film`, which must have the settings' size. One virtual call a tile.
   virtual RenderCounts render(const Tile& tile, Film& film) const = 0;
-  /// Id of the primitive that the ray through the centre of pixel (x, y) meets first, or `no_hit`.
+  /// Id of the primitive that the ray through the centre of pixel (x, y) meets first, or `no_hit_id`.
   [[nodiscard]] virtual uint32_t first_hit(int x, int y) const = 0;
-
-  static constexpr uint32_t no_hit = ~0u;
 };
 
-/// Builds geometry and hierarchy. Throws std::invalid_argument if a name in `settings` is unknown.
+/// Builds geometry and hierarchy. Throws std::invalid_argument if a name in `settings` is unknown or a
+/// material is not one.
 [[nodiscard]] std::unique_ptr<const Renderer> make_renderer(const Scene& scene,
                                                             const RenderSettings& settings);
 

@@ -26,14 +26,14 @@ class Whitted final : public Renderer {
     RenderCounts counts;
     typename Paths::Scratch scratch;
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
-      for (int x = tile.x; x < tile.x + tile.width; ++x) film.at(x, y) = Vec3f(pixel(x, y, counts, scratch));
+      for (int x = tile.x; x < tile.x + tile.width; ++x) film.at(x, y) = pixel(x, y, counts, scratch);
     }
     return counts;
   }
 
   [[nodiscard]] uint32_t first_hit(int x, int y) const override {
     const auto hit = core_.closest(view_.through(static_cast<T>(x) + T(0.5), static_cast<T>(y) + T(0.5)));
-    return hit ? hit->id : no_hit;
+    return hit ? hit->id : no_hit_id;
   }
 
  private:
@@ -41,14 +41,15 @@ class Whitted final : public Renderer {
     T x, y;
   };
 
-  Vec3<T> pixel(int x, int y, RenderCounts& counts, typename Paths::Scratch& scratch) const {
-    Vec3<T> sum;
+  Vec3f pixel(int x, int y, RenderCounts& counts, typename Paths::Scratch& scratch) const {
+    // In double: of many thousand samples a float's sum drifts.
+    Vec3d sum;
     for (const Offset& o : pattern_) {
       const Ray<T> ray = view_.through(static_cast<T>(x) + o.x, static_cast<T>(y) + o.y);
-      sum += paths_.trace(core_, ray, counts, scratch);
+      sum += Vec3d(paths_.trace(core_, ray, counts, scratch));
     }
     counts.rays.primary += pattern_.size();
-    return sum * (T(1) / static_cast<T>(pattern_.size()));
+    return Vec3f(sum * (1.0 / static_cast<double>(pattern_.size())));
   }
 
   Core core_;

@@ -1,6 +1,7 @@
 #include "tracer/whole_file.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -28,8 +29,10 @@ std::string write_part(const std::string& part, const std::function<void(std::os
 
 }  // namespace
 
+std::string part_of(const std::string& path) { return fmt::format("{}.{}.part", path, getpid()); }
+
 void write_whole_file(const std::string& path, const std::function<void(std::ostream& file)>& write) {
-  const std::string part = path + ".part";
+  const std::string part = part_of(path);
   std::string reason = write_part(part, write);
   std::error_code error;
   if (reason.empty()) {

@@ -14,6 +14,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tracer/whole_file.h"
+
 namespace raysweep {
 namespace {
 
@@ -172,7 +174,7 @@ TEST_F(Exr, what_cannot_be_written_is_told_and_leaves_nothing) {
   EXPECT_EQ(problem(path("folder.exr")), path("folder.exr") + ": cannot be written: Is a directory");
   EXPECT_EQ(file_count(), 1u) << "the folder alone";
   if (fs::exists("/dev/full")) {
-    fs::create_symlink("/dev/full", path("full.exr.part"));
+    fs::create_symlink("/dev/full", part_of(path("full.exr")));
     EXPECT_EQ(problem(path("full.exr")), path("full.exr") + ": cannot be written: No space left on device");
     EXPECT_EQ(file_count(), 1u);
   }

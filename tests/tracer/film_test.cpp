@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tracer/whole_file.h"
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #pragma GCC diagnostic push
@@ -44,7 +46,7 @@ TEST(film, a_png_is_written_whole_with_its_size) {
   EXPECT_EQ(big_endian(16), 300);
   EXPECT_EQ(big_endian(20), 5);
   EXPECT_NE(png.find("IEND"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+  EXPECT_FALSE(std::filesystem::exists(part_of(file.string())));
   std::filesystem::remove(file);
 }
 

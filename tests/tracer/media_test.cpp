@@ -123,7 +123,7 @@ WalkCounts walk(const Scene& scene, int paths) {
       if (!at) break;
       const T eta = static_cast<T>(media.ior(at->before) / media.ior(at->beyond));
       const auto bent = refract(ray.direction, at->surface.normal, eta);
-      if (at->is_opaque || !bent || uniform(random) < -0.6) {
+      if (at->kind == InterfaceFinder<Core>::Kind::opaque || !bent || uniform(random) < -0.6) {
         ray = spawn(at->surface, normalize(reflect(ray.direction, at->surface.normal)), true, at->clearance);
         inside = at->before;
       } else {

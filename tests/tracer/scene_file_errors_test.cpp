@@ -17,8 +17,8 @@ TEST_F(SceneFileErrors, all_are_told_at_once_in_the_order_of_their_lines) {
              "[materials.glass]\ncolor = [1, 1, 1]\n"),
       "scene.toml:1: a sphere needs the key \"material\"\n"
       "scene.toml:3: unknown key \"radiuss\" in a sphere; possible: centre, radius, material, shape\n"
-      "scene.toml:4: centre must be three numbers [x, y, z], each from -1e+30 to 1e+30\n"
-      "scene.toml:5: radius must be a number from 1e-30 to 1e+30\n"
+      "scene.toml:4: centre must be three numbers [x, y, z], each from -1e+12 to 1e+12\n"
+      "scene.toml:5: radius must be a number from 1e-12 to 1e+12\n"
       "scene.toml:7: unknown key \"color\" in material \"glass\"; possible: colour, ambient, diffuse, "
       "specular, k_ambient, k_diffuse, k_specular, exponent, k_reflect, k_refract, filter, ior, fresnel, "
       "priority");
@@ -97,7 +97,7 @@ TEST_F(SceneFileErrors, of_shapes_and_names_of_materials) {
                    "[[objects]]\nshape = 'plane'\nnormal = [0, 0.0, 0]\npoint = [0, 0, 1e31]\n"
                    "material = 1\n"),
             "scene.toml:9: normal must not be [0, 0, 0]: it tells a direction\n"
-            "scene.toml:10: point must be three numbers [x, y, z], each from -1e+30 to 1e+30\n"
+            "scene.toml:10: point must be three numbers [x, y, z], each from -1e+12 to 1e+12\n"
             "scene.toml:11: material must be a string in quotes");
   EXPECT_EQ(errors(material + "[[objects]]\nshape = 'box'\nlower = [0, 0, 1]\nupper = [1, 1, 1]\n"
                               "rotate = [0, 400, 0]\nmaterial = 'm'\n"),
@@ -106,10 +106,10 @@ TEST_F(SceneFileErrors, of_shapes_and_names_of_materials) {
   EXPECT_EQ(
       errors(material + "[[objects]]\nshape = 'chair'\nmaterial = 'm'\nseat_material = 'n'\nscale = 0\n"),
       "scene.toml:5: unknown seat_material \"n\"; possible: m\n"
-      "scene.toml:6: scale must be a number from 1e-30 to 1e+30");
-  EXPECT_EQ(errors(material + "[[objects]]\nshape = 'chair'\nmaterial = 'm'\nscale = 1e30\n"
-                              "translate = [0, 1e30, 0]\n"),
-            "scene.toml:5: scaled and moved, mesh \"chair frame\" reaches beyond 1e+30");
+      "scene.toml:6: scale must be a number from 1e-12 to 1e+12");
+  EXPECT_EQ(errors(material + "[[objects]]\nshape = 'chair'\nmaterial = 'm'\nscale = 1e12\n"
+                              "translate = [0, 1e12, 0]\n"),
+            "scene.toml:5: scaled and moved, mesh \"chair frame\" reaches beyond 1e+12");
 }
 
 TEST_F(SceneFileErrors, of_triangles) {
@@ -117,8 +117,8 @@ TEST_F(SceneFileErrors, of_triangles) {
   EXPECT_EQ(
       errors(start + "vertices = [[0, 0, 0],\n[1, 0],\n[0, inf, 0]]\ntriangles = [[0, 1, 2],\n[0, 1, 3],\n"
                      "[0, -1, 2],\n[0, 1.0, 2], 7]\n"),
-      "scene.toml:6: vertex 1 must be three numbers [x, y, z], each from -1e+30 to 1e+30\n"
-      "scene.toml:7: vertex 2 must be three numbers [x, y, z], each from -1e+30 to 1e+30\n"
+      "scene.toml:6: vertex 1 must be three numbers [x, y, z], each from -1e+12 to 1e+12\n"
+      "scene.toml:7: vertex 2 must be three numbers [x, y, z], each from -1e+12 to 1e+12\n"
       "scene.toml:9: triangle 1 must be the numbers of three of the 3 vertices, counted from 0\n"
       "scene.toml:10: triangle 2 must be the numbers of three of the 3 vertices, counted from 0\n"
       "scene.toml:11: triangle 3 must be the numbers of three of the 3 vertices, counted from 0\n"

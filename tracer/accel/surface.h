@@ -92,7 +92,7 @@ struct TriangleShape {
   Triangle<T> corners;
   Vec3<T> normal;
   T clearance;
-  T inset;  // barycentric coordinates of spawned rays' origins are at least this
+  Vec3<T> inset;  // barycentric coordinates of spawned rays' origins are at least these
 
   explicit TriangleShape(const Triangle<T>& t);
 
@@ -108,10 +108,10 @@ struct TriangleShape {
   /// face starts on the wrong side of the neighbouring one.
   [[nodiscard]] Surface<T> surface(const Ray<T>& ray, T beta, T gamma) const {
     T alpha = 1 - beta - gamma;
-    if (!(std::min({alpha, beta, gamma}) >= inset)) {
-      alpha = std::max(alpha, inset);
-      beta = std::max(beta, inset);
-      gamma = std::max(gamma, inset);
+    if (!(alpha >= inset.x && beta >= inset.y && gamma >= inset.z)) {
+      alpha = std::max(alpha, inset.x);
+      beta = std::max(beta, inset.y);
+      gamma = std::max(gamma, inset.z);
       const T scale = 1 / (alpha + beta + gamma);
       alpha *= scale;
       beta *= scale;
@@ -128,22 +128,26 @@ struct TriangleShape {
 /// Together 22. Where a thin triangle's cross product cancels, its normal errs by more: 8u·|e||f|/|e×f| in
 /// double, over the triangle's extent; e and f are the two shorter edges, which cancel least.
 template <class T>
-TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(0, 1, 0), clearance(0), inset(0) {
-  std::array<Vec3d, 3> p{Vec3d(t.a), Vec3d(t.b), Vec3d(t.c)};
-  const auto edge = [&p](size_t opposite) { return length(p[(opposite + 2) % 3] - p[(opposite + 1) % 3]); };
-  const size_t apex = edge(0) >= edge(1) && edge(0) >= edge(2) ? 0 : edge(1) >= edge(2) ? 1 : 2;
-  std::rotate(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(apex), p.end());
-  const Vec3d n = cross(p[1] - p[0], p[2] - p[0]);
-  const double area = length(n), longest = edge(0);
+TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(0, 1, 0), clearance(0) {
+  const std::array<Vec3d, 3> p{Vec3d(t.a), Vec3d(t.b), Vec3d(t.c)};
+  // Edges opposite to each corner.
+  const std::array<double, 3> edge{length(p[2] - p[1]), length(p[0] - p[2]), length(p[1] - p[0])};
+  const auto apex = static_cast<size_t>(std::ranges::max_element(edge) - edge.begin());
+  const Vec3d &tip = p[apex], &left = p[(apex + 1) % 3], &right = p[(apex + 2) % 3];
+  const Vec3d n = cross(left - tip, right - tip);
+  const double area = length(n), longest = edge[apex];
   if (!(area > 0)) return;  // no surface: no method hits it
   normal = Vec3<T>(n * (1 / area));
   const auto largest = [](T a, T b, T c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); };
   const Vec3<T> m(largest(t.a.x, t.b.x, t.c.x), largest(t.a.y, t.b.y, t.c.y), largest(t.a.z, t.b.z, t.c.z));
-  const double normal_error = 8 * unit_roundoff<double> * edge(1) * edge(2) / area;
+  const double normal_error = 8 * unit_roundoff<double> * edge[(apex + 1) % 3] * edge[(apex + 2) % 3] / area;
   clearance = gamma_bound<T>(24) * abs_dot(normal, m) + static_cast<T>(normal_error * longest);
-  const double altitude = area / longest;
+  // A coordinate of 1 is an altitude away from its edge.
   constexpr double clearances = 4;  // keeps right at faces that meet at 15° or more
-  inset = static_cast<T>(std::min(0.25, clearances * static_cast<double>(clearance) / altitude));
+  const auto inset_from = [&](double opposite) {
+    return static_cast<T>(std::min(0.25, clearances * static_cast<double>(clearance) * opposite / area));
+  };
+  inset = {inset_from(edge[0]), inset_from(edge[1]), inset_from(edge[2])};
 }
 
 /// Where a ray with `direction` starts that leaves `surface` on the side that `direction` points to,

@@ -1,27 +1,43 @@
 // Where a ray meets the boundary of media: everything that it crosses at that place, taken together.
 #pragma once
 
+#include <array>
+
 #include "tracer/accel/primitives.h"
 #include "tracer/shade/media.h"
 
 namespace raysweep {
 
-/// The first thing on a ray's way that is to be shaded, with the media on both sides. Surfaces closer
-/// together than their clearances (media that touch, with a gap of nothing or of an ulp) cannot be told apart
-/// by rays that start there; they are crossed at once, and no thin film of what lies between appears.
+/// The next thing on a ray's way that is to be shaded, with the media on both sides.
+///
+/// Surfaces closer together than their clearances cannot be told apart by rays that start there, so they are
+/// one interface: between media that touch, with a gap of nothing or of an ulp, there is no film of what else
+/// lies there; a solid thinner than that is a sheet with two faces. What is shaded does not depend on the
+/// order that rounding gives the surfaces: something opaque before all, then the boundary of the highest
+/// medium that the ray enters or leaves, then a sheet.
 template <class T>
 struct Interface {
+  enum class Kind : unsigned char { nothing, sheet, boundary, opaque };
+
+  Kind kind = Kind::nothing;
   Hit<T> hit;
   Surface<T> surface;
   T clearance;  // of all surfaces at this place
   MediumSet before, beyond;
-  bool is_opaque;
+  /// Primitives besides `hit` that take their share of what passes: other sheets, and second faces.
+  std::array<uint32_t, 6> also_passed{};
+  uint32_t also_count = 0;
+
+  void pass_also(uint32_t primitive) {
+    if (also_count < also_passed.size()) also_passed[also_count++] = primitive;
+  }
 };
 
 template <class Core>
 class InterfaceFinder {
  public:
   using T = typename Core::Real;
+  using Kind = typename Interface<T>::Kind;
 
   InterfaceFinder(const Core& core, const Media& media) : core_(core), media_(media) {}
 
@@ -33,64 +49,142 @@ class InterfaceFinder {
   /// few ulps.
   [[nodiscard]] std::optional<Interface<T>> next(const Ray<T>& ray, MediumSet& inside) const {
     const MediumSet start = inside;
-    auto found = first_along(ray, inside);
+    auto found = next_along(ray, inside);
     for (int axis = 0; axis < 3 && !found && !media_.may_end_in(inside); ++axis) {
       const T shift = 16 * unit_roundoff<T>;
       const Vec3<T> aside(axis == 0 ? shift : 0, axis == 1 ? shift : 0, axis == 2 ? shift : 0);
       inside = start;
-      found = first_along({ray.origin, ray.direction + aside}, inside);
+      found = next_along({ray.origin, ray.direction + aside}, inside);
     }
     return found;
   }
 
- private:
+  /// The first interface after `last` among the hits of `ray` that `next_hit(last, t_max)` gives: the first
+  /// one after `last` with t ≤ t_max. `last` becomes the last hit of it, `inside` the media before it.
   /// Boundaries inside a medium of higher rank are passed: nothing changes there.
-  [[nodiscard]] std::optional<Interface<T>> first_along(const Ray<T>& ray, MediumSet& inside) const {
-    Hit<T> last = Hit<T>::start();
-    while (const auto hit = core_.closest(ray, last)) {
-      Interface<T> found = at(ray, *hit, inside, last);
-      if (found.is_opaque || is_sheet(found.hit.id) || found.before.top() != found.beyond.top()) return found;
+  template <class NextHit>
+  [[nodiscard]] std::optional<Interface<T>> next_among(const Ray<T>& ray, MediumSet& inside, Hit<T>& last,
+                                                       NextHit&& next_hit) const {
+    while (const auto hit = next_hit(last, std::numeric_limits<T>::infinity())) {
+      const Place place = gather(ray, *hit, last, next_hit);
+      const Interface<T> found = understand(place, inside);
+      if (found.kind != Kind::nothing) return found;
       inside = found.beyond;
     }
     return std::nullopt;
   }
 
-  [[nodiscard]] bool is_sheet(uint32_t id) const { return media_.crossing(id) == Media::Crossing::sheet; }
+ private:
+  struct Crossed {
+    Hit<T> hit;
+    Surface<T> surface;
+    Media::Crossing crossing;
+    uint32_t rank;
+    bool entering;
 
-  /// All that the ray crosses at `first`; `last` becomes the last of it.
-  Interface<T> at(const Ray<T>& ray, const Hit<T>& first, const MediumSet& inside, Hit<T>& last) const {
+    [[nodiscard]] bool is_boundary() const {
+      return crossing == Media::Crossing::along || crossing == Media::Crossing::against;
+    }
+  };
+
+  /// What a ray crosses at one place, in its order; something opaque ends it. What is more than fits counts
+  /// as the next place.
+  struct Place {
+    std::array<Crossed, 12> crossed;
+    size_t count = 0;
+    T clearance = 0;
+
+    [[nodiscard]] std::span<const Crossed> all() const { return {crossed.data(), count}; }
+    /// Whether another surface of the same medium is crossed the other way.
+    [[nodiscard]] bool has_opposite(const Crossed& one) const {
+      return std::ranges::any_of(all(), [&](const Crossed& other) {
+        return other.is_boundary() && other.rank == one.rank && other.entering != one.entering;
+      });
+    }
+  };
+
+  [[nodiscard]] std::optional<Interface<T>> next_along(const Ray<T>& ray, MediumSet& inside) const {
+    Hit<T> last = Hit<T>::start();
+    return next_among(ray, inside, last,
+                      [&](const Hit<T>& after, T t_max) { return core_.closest(ray, after, t_max); });
+  }
+
+  template <class NextHit>
+  Place gather(const Ray<T>& ray, const Hit<T>& first, Hit<T>& last, NextHit&& next_hit) const {
     const auto& primitives = core_.primitives();
-    Interface<T> found{first, primitives.surface(ray, first), 0, inside, inside, false};
-    found.clearance = found.surface.clearance;
-    const Surface<T> here = found.surface;
+    const Surface<T> here = primitives.surface(ray, first);
+    Place place;
+    place.clearance = here.clearance;
     // The same place along the ray: as far as two clearances reach at this angle, and the rounding of t.
     const T cosine = std::max(std::abs(dot(here.normal, ray.direction)), unit_roundoff<T>);
     const T t_max = first.t * (1 + gamma_bound<T>(16)) + 4 * here.clearance / cosine;
     Surface<T> surface = here;
-    bool relevant = false;
-    for (std::optional<Hit<T>> hit = first; hit; hit = core_.closest(ray, last, t_max)) {
-      if (hit->id != first.id || hit->t != first.t) {
+    for (std::optional<Hit<T>> hit = first; hit; hit = next_hit(last, t_max)) {
+      if (place.count > 0) {
         surface = primitives.surface(ray, *hit);
         if (!(primitives.distance(hit->id, here.point) <= here.clearance + surface.clearance)) break;
-        found.clearance = std::max(found.clearance, 2 * (here.clearance + surface.clearance));
+        place.clearance = std::max(place.clearance, 2 * (here.clearance + surface.clearance));
       }
+      const Media::Crossing crossing = media_.crossing(hit->id);
+      const bool entering = surface.against == (crossing == Media::Crossing::against);
+      place.crossed[place.count++] = {*hit, surface, crossing, media_.rank(hit->id), entering};
       last = *hit;
-      const bool opaque = primitives.is_opaque(hit->id), bounds = !opaque && !is_sheet(hit->id);
-      if (bounds) media_.cross(found.beyond, hit->id, surface.against);
-      // What is shaded: something opaque before all, else the first surface of a medium that counts here.
-      const uint32_t rank = media_.rank(hit->id);
-      const bool counts = opaque || (bounds && (rank == inside.top() || rank == found.beyond.top()));
-      if (opaque || (counts && !relevant)) {
-        relevant = true;
-        found.hit = *hit;
-        found.surface = surface;
-      }
-      if (opaque) {
-        found.is_opaque = true;
-        break;
+      if (crossing == Media::Crossing::opaque || place.count == place.crossed.size()) break;
+    }
+    return place;
+  }
+
+  Interface<T> understand(const Place& place, const MediumSet& inside) const {
+    Interface<T> found;
+    found.before = found.beyond = inside;
+    found.clearance = place.clearance;
+    for (const Crossed& c : place.all()) {
+      if (!c.is_boundary() || place.has_opposite(c)) continue;
+      if (c.entering) {
+        found.beyond.enter(c.rank);
+      } else {
+        found.beyond.leave(c.rank);
       }
     }
+    const auto choose = [&found](const Crossed& c, Kind kind) {
+      found.kind = kind;
+      found.hit = c.hit;
+      found.surface = c.surface;
+    };
+    const Crossed& final = place.crossed[place.count - 1];
+    if (final.crossing == Media::Crossing::opaque) {
+      choose(final, Kind::opaque);
+    } else if (found.beyond.top() != inside.top()) {
+      const uint32_t highest = found.beyond.is_topped_by(inside.top()) ? inside.top() : found.beyond.top();
+      choose(*std::ranges::find_if(place.all(),
+                                   [&](const Crossed& c) { return c.is_boundary() && c.rank == highest; }),
+             Kind::boundary);
+    }
+    add_sheets(place, inside, found, choose);
     return found;
+  }
+
+  /// Sheets, and solids that the ray enters and leaves here: the first is the interface if there is no other.
+  template <class Choose>
+  void add_sheets(const Place& place, const MediumSet& inside, Interface<T>& found, Choose&& choose) const {
+    for (size_t i = 0; i < place.count; ++i) {
+      const Crossed& c = place.crossed[i];
+      const bool is_sheet = c.crossing == Media::Crossing::sheet;
+      const bool is_thin_solid =
+          c.is_boundary() && place.has_opposite(c) && !inside.contains(c.rank) && inside.is_topped_by(c.rank);
+      if (!is_sheet && !is_thin_solid) continue;
+      // Two triangles of one sheet meet at an edge; a thin solid has two faces, both of which count.
+      const auto before = place.all().first(i);
+      const bool known = std::ranges::any_of(before, [&](const Crossed& b) {
+        return b.crossing == c.crossing && b.rank == c.rank && (is_sheet || b.entering == c.entering);
+      });
+      if (known) continue;
+      if (found.kind == Kind::nothing) {
+        choose(c, Kind::sheet);
+      } else {
+        found.pass_also(c.hit.id);
+      }
+    }
   }
 
   const Core& core_;

@@ -46,6 +46,11 @@ class PendingRays {
     return rays_[slot];
   }
 
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (const Place& place : order_) visit(rays_[place.slot]);
+  }
+
   [[nodiscard]] bool empty() const { return order_.empty(); }
   [[nodiscard]] size_t size() const { return order_.size(); }
 

@@ -10,6 +10,20 @@ size_t Scene::triangle_count() const {
   return count;
 }
 
+std::string problem_of(const Material& m) {
+  constexpr double rounding = 1e-9;  // of sums that are meant to be 1
+  if (m.k_reflect + m.k_refract > 1 + rounding) return "k_reflect + k_refract must not exceed 1";
+  if (std::max({m.filter.x, m.filter.y, m.filter.z}) > 1) return "filter must not exceed 1 in any channel";
+  const auto is_good = [](const Colour& c) { return all_finite(c) && std::min({c.x, c.y, c.z}) >= 0; };
+  for (const double k : {m.k_ambient, m.k_diffuse, m.k_specular, m.k_reflect, m.k_refract, m.exponent}) {
+    if (!(std::isfinite(k) && k >= 0)) return "coefficients and exponent must be numbers from 0 on";
+  }
+  if (!is_good(m.ambient) || !is_good(m.diffuse) || !is_good(m.specular) || !is_good(m.filter))
+    return "colours must be numbers from 0 on";
+  if (!(std::isfinite(m.ior) && m.ior > 0)) return "ior must be a number above 0";
+  return {};
+}
+
 bool has_transparency(const Scene& scene) {
   const auto refracts = [&](const auto& shape) { return scene.materials[shape.material].k_refract > 0; };
   return std::ranges::any_of(scene.planes, refracts) || std::ranges::any_of(scene.spheres, refracts) ||

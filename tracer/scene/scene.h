@@ -16,8 +16,9 @@ using Colour = Vec3d;
 
 /// Phong's local model (Morozov 2011), and what passes on: `k_ambient·ambient·I_a + Σ visible·I·
 /// (k_diffuse·diffuse·N·L + k_specular·specular·(R·V)^exponent) + k_reflect·I_reflected +
-/// k_refract·filter·I_refracted`. Colours and coefficients are ≥ 0. A surface with `k_refract` > 0 bounds a
-/// medium; any other is opaque.
+/// k_refract·filter·I_refracted`. Colours and coefficients are ≥ 0, `k_reflect + k_refract` ≤ 1 and `filter`
+/// ≤ 1: what passes on is never brighter than what came. A surface with `k_refract` > 0 bounds a medium; any
+/// other is opaque.
 struct Material {
   Colour ambient{1, 1, 1}, diffuse{1, 1, 1}, specular{1, 1, 1};
   double k_ambient = 0.1, k_diffuse = 0.7, k_specular = 0.3;
@@ -79,6 +80,9 @@ struct Scene {
 
   [[nodiscard]] size_t triangle_count() const;
 };
+
+/// What a renderer cannot do with `material`, as a sentence; empty if there is nothing.
+[[nodiscard]] std::string problem_of(const Material& material);
 
 /// Whether any shape has a material that refracts.
 [[nodiscard]] bool has_transparency(const Scene& scene);

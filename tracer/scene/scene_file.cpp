@@ -18,13 +18,17 @@ namespace {
 bool is_control(char c) { return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r') || c == 127; }
 
 /// `a.b.c.d` is a table in a table in a table: without a limit a file of some kilobytes nests until the stack
-/// overflows. Scenes nest three deep. Counts dots, those in quotes too, up to what can end a key.
+/// overflows. Scenes nest three deep. Counts dots outside of quotes and comments, up to what can end a key.
 void refuse_what_crashes_the_parser(const std::string& text, const std::string& file) {
   constexpr int deepest = 32;
   int line = 1, dots = 0;
   char previous = '\n', quote = 0;
+  bool comment = false;
   for (const char c : text) {
     if (is_control(c)) throw SceneError(fmt::format("{}:{}: not TOML: a control character", file, line));
+    if (c == '#' && !quote) comment = true;
+    if (c == '\n') comment = false;
+    if (comment) continue;
     const bool escaped = quote == '"' && previous == '\\';
     if ((c == '"' || c == '\'') && (!quote || (c == quote && !escaped))) quote = quote ? '\0' : c;
     if (c == '\n') {
@@ -32,7 +36,7 @@ void refuse_what_crashes_the_parser(const std::string& text, const std::string& 
       quote = 0;  // strings of more lines than one are no keys
     }
     if (!quote && std::string_view("\n,=[]{}").find(c) != std::string_view::npos) dots = 0;
-    if (c == '.' && previous != '.' && ++dots > deepest) {
+    if (!quote && c == '.' && previous != '.' && ++dots > deepest) {
       throw SceneError(
           fmt::format("{}:{}: more than {} dots where one key or value can be; scenes nest three "
                       "deep",
@@ -77,6 +81,8 @@ Material read_material(const SceneTable& table) {
   m.ior = table.number("ior", {1e-6, 1e6}).value_or(m.ior);
   m.fresnel = table.flag("fresnel").value_or(m.fresnel);
   m.priority = table.integer("priority", {-1e6, 1e6}).value_or(m.priority);
+  if (const std::string problem = problem_of(m); !problem.empty())
+    table.fail(table.node("filter") && problem.starts_with("filter") ? "filter" : "k_reflect", problem);
   return m;
 }
 

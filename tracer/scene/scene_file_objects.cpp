@@ -37,7 +37,7 @@ void add_placed(const SceneTable& object, std::vector<Mesh> meshes, const SceneO
       return all_finite(v) && max_abs(Vec3d(v)) <= coordinate_range.high;
     });
     if (!inside) {
-      object.fail("scale", fmt::format("scaled and moved, mesh \"{}\" reaches beyond {}", mesh.name,
+      object.fail("scale", fmt::format("scaled and moved, mesh \"{}\" reaches beyond {:.7g}", mesh.name,
                                        coordinate_range.high));
       return;
     }
@@ -101,7 +101,7 @@ void add_triangles(const SceneTable& object, const SceneObjects& objects) {
     const auto vertex = vector_of(*node, coordinate_range);
     if (!vertex) {
       object.errors().add(*node,
-                          fmt::format("vertex {} must be three numbers [x, y, z], each from {} to {}",
+                          fmt::format("vertex {} must be three numbers [x, y, z], each from {:.7g} to {:.7g}",
                                       mesh.vertices.size(), coordinate_range.low, coordinate_range.high));
     }
     mesh.vertices.emplace_back(vertex.value_or(Vec3d()));

@@ -20,7 +20,7 @@ std::string one_line(std::string_view sentence) {
 }
 
 std::string describe(NumberRange range) {
-  return fmt::format(fmt::runtime(range.open ? "above {} and below {}" : "from {} to {}"), range.low,
+  return fmt::format(fmt::runtime(range.open ? "above {:.7g} and below {:.7g}" : "from {:.7g} to {:.7g}"), range.low,
                      range.high);
 }
 

@@ -37,9 +37,9 @@ struct NumberRange {
 };
 
 /// Floats hold these, and sums of a few.
-inline constexpr NumberRange coordinate_range{-1e30, 1e30};
+inline constexpr NumberRange coordinate_range{-1e12, 1e12};
 /// Of sizes: what is smaller is nothing where numbers are floats.
-inline constexpr NumberRange size_range{1e-30, 1e30};
+inline constexpr NumberRange size_range{1e-12, 1e12};
 /// Of brightness, colours and coefficients.
 inline constexpr NumberRange light_range{0, 1e6};
 

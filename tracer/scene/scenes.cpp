@@ -40,10 +40,10 @@ void refuse_what_is_no_file(const std::string& file) {
                   file, names));
 }
 
-Scene load_first_lights(const std::string& file, int light_count) {
+Scene load_first_lights(const std::string& file, std::optional<int> light_count) {
   Scene scene = load_scene_file(file);
-  if (light_count == own_lights) return scene;
-  const auto count = static_cast<size_t>(light_count);
+  if (!light_count) return scene;
+  const auto count = static_cast<size_t>(*light_count);
   if (count > scene.lights.size()) {
     throw SceneError(
         fmt::format("{}: has {} lights, {} were asked for; ask for at most {} or add lights to it", file,
@@ -72,13 +72,12 @@ std::span<const BuiltInScene> built_in_scenes() {
   return list;
 }
 
-Scene load_scene(const std::string& name_or_file, int light_count) {
+Scene load_scene(const std::string& name_or_file, std::optional<int> light_count) {
   if (const BuiltInScene* const scene = find_built_in(name_or_file))
-    return scene->make(light_count == own_lights ? scene->light_count : light_count);
+    return scene->make(light_count.value_or(scene->light_count));
   refuse_what_is_no_file(name_or_file);
   if (is_scene_file(name_or_file)) return load_first_lights(name_or_file, light_count);
-  return frame_meshes(name_or_file, load_meshes(name_or_file),
-                      light_count == own_lights ? mesh_light_count : light_count);
+  return frame_meshes(name_or_file, load_meshes(name_or_file), light_count.value_or(mesh_light_count));
 }
 
 int own_light_count(const std::string& name_or_file) {

@@ -1,6 +1,7 @@
 // Scenes by name, and scenes from files.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,14 +21,11 @@ struct BuiltInScene {
 /// The one list of built-in scenes.
 [[nodiscard]] std::span<const BuiltInScene> built_in_scenes();
 
-/// As many lights as the scene itself has.
-inline constexpr int own_lights = -1;
-
 /// The scene named `name_or_file`, or, if that is no built-in name, the one in that file: a scene in TOML, of
 /// whose lights the first `light_count` are taken, or a mesh. Throws SceneError.
-[[nodiscard]] Scene load_scene(const std::string& name_or_file, int light_count = own_lights);
+[[nodiscard]] Scene load_scene(const std::string& name_or_file, std::optional<int> light_count = {});
 
-/// How many lights `own_lights` stands for. Throws SceneError.
+/// How many lights the scene itself has. Throws SceneError.
 [[nodiscard]] int own_light_count(const std::string& name_or_file);
 
 /// What is wrong with a scene, as a sentence that names it.

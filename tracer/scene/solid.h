@@ -5,8 +5,16 @@
 
 namespace raysweep {
 
+/// The triangles of `mesh` by connected part, corners at equal places taken as one: places in
+/// `mesh.triangles`.
+[[nodiscard]] std::vector<std::vector<uint32_t>> connected_parts(const Mesh& mesh);
+
+/// A mesh of these triangles of `mesh` alone.
+[[nodiscard]] Mesh part_of(const Mesh& mesh, const std::vector<uint32_t>& triangles);
+
 /// Whether every edge of `mesh`, corners at equal places taken as one, is run through as often in one
-/// direction as in the other: then it bounds a volume.
+/// direction as in the other: then it bounds a volume. Triangles that are there with both windings are the
+/// two faces of a sheet, and bound none.
 [[nodiscard]] bool is_closed(const Mesh& mesh);
 
 /// The enclosed volume, positive where triangles wind counterclockwise as seen from outside.

@@ -32,7 +32,8 @@ class Lighting {
       const T distance = length(towards);
       const Vec3<T> to_light = towards * (1 / distance);
       const T cosine = dot(normal, to_light);
-      if (!(cosine > 0)) continue;  // behind the surface: dark without asking
+      // Behind the surface: dark without asking. So is a light in the very point.
+      if (!(cosine > 0 && distance > 0)) continue;
       rays.shadow++;
       const auto share = visible(Ray<T>{point, to_light}, distance);
       if constexpr (std::is_same_v<decltype(share), const bool>) {

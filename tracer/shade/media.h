@@ -26,15 +26,6 @@ class Media {
   /// Of the medium or sheet that the primitive is part of.
   [[nodiscard]] uint32_t rank(uint32_t primitive) const { return ranks_[primitive]; }
 
-  /// Lets a ray pass a primitive that bounds a medium; `against` as in Surface.
-  void cross(MediumSet& set, uint32_t primitive, bool against) const {
-    if (against == (crossings_[primitive] == Crossing::against)) {
-      set.enter(ranks_[primitive]);
-    } else {
-      set.leave(ranks_[primitive]);
-    }
-  }
-
   /// Refractive index of the medium that is there; 1 outside.
   [[nodiscard]] double ior(const MediumSet& set) const { return set.empty() ? 1 : ior_[set.top()]; }
 

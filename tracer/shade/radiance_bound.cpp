@@ -1,22 +1,23 @@
 #include "tracer/shade/radiance_bound.h"
 
-#include <limits>
-
 namespace raysweep {
 
 namespace {
 
-constexpr double highlight_rounding = 1.001;  // (1 + 4u)^1000 in float, and the rest of one surface's sum
-constexpr double level_rounding = 1 + 1e-6;   // weights are products of a few roundings a level
+/// Cosines of computed unit vectors exceed 1 by what rounding in float adds to two normals, their reflection
+/// and two directions: 32 half ulps are more. A highlight raises that to its exponent.
+constexpr double largest_cosine = 1 + 32 * 0x1p-24;
+constexpr double level_rounding = 1 + 1e-6;  // sums and weights: a few roundings a level
 
 double largest(const Colour& c) { return std::max({c.x, c.y, c.z}); }
 
 double local_bound(const Scene& scene, const Material& m) {
   Colour light;
   for (const Light& l : scene.lights) light += l.intensity;
-  const Colour sum =
-      m.ambient * scene.ambient * m.k_ambient + light * (m.diffuse * m.k_diffuse + m.specular * m.k_specular);
-  return highlight_rounding * std::pow(highlight_rounding, m.exponent / 1000) * largest(sum);
+  const Colour sum = m.ambient * scene.ambient * m.k_ambient +
+                     light * (m.diffuse * (m.k_diffuse * largest_cosine) +
+                              m.specular * (m.k_specular * std::pow(largest_cosine, m.exponent)));
+  return largest(sum);
 }
 
 }  // namespace
@@ -25,14 +26,10 @@ RadianceBound::RadianceBound(const Scene& scene, int depth) : by_levels_(static_
   double local = 0, onwards = 0;
   for (const Material& m : scene.materials) {
     local = std::max(local, local_bound(scene, m));
-    onwards = std::max(onwards, m.k_reflect + m.k_refract * std::max(1.0, largest(m.filter)));
-    // Shadow rays pass any number of such surfaces.
-    if (m.k_refract * largest(m.filter) > 1) local = std::numeric_limits<double>::infinity();
+    onwards = std::max(onwards, m.k_reflect + m.k_refract);
   }
-  for (size_t n = 1; n < by_levels_.size(); ++n) {
-    const double passed_on = onwards > 0 ? onwards * by_levels_[n - 1] : 0;
-    by_levels_[n] = level_rounding * std::max(largest(scene.background), local + passed_on);
-  }
+  for (size_t n = 1; n < by_levels_.size(); ++n)
+    by_levels_[n] = level_rounding * std::max(largest(scene.background), local + onwards * by_levels_[n - 1]);
 }
 
 }  // namespace raysweep
