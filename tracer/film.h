@@ -25,7 +25,8 @@ class Film {
   /// Row `y` counts from the top; writing different pixels from different threads is safe.
   [[nodiscard]] Vec3f& at(int x, int y) { return pixels_[index(x, y)]; }
   [[nodiscard]] const Vec3f& at(int x, int y) const { return pixels_[index(x, y)]; }
-  [[nodiscard]] std::span<const Vec3f> pixels() const { return pixels_; }
+  [[nodiscard]] std::span<const Vec3f> pixels() const& { return pixels_; }
+  std::span<const Vec3f> pixels() && = delete;  // they would not outlive their film
   void fill(const Vec3f& colour) { std::ranges::fill(pixels_, colour); }
 
   /// 32 hexadecimal digits over the floats in row order, before any quantising (XXH3, 128 bits).

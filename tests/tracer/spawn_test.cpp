@@ -183,6 +183,32 @@ TYPED_TEST(Spawn, the_upper_of_two_planes_a_thousandth_apart_is_always_met_near_
   }
 }
 
+/// Slanting planes: what is 1e-3 apart at coordinates of 1000 and more, floats cannot tell; doubles can.
+TYPED_TEST(Spawn, slanting_planes_a_thousandth_apart_are_always_met_where_floats_tell_them_apart) {
+  using T = TypeParam;
+  const double farthest = sizeof(T) == sizeof(float) ? 100 : 1e5;
+  for (double scale = 1; scale <= farthest; scale *= 10) {
+    int missed = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      const Vec3d normal = normalize(Vec3d(0.5 * this->uniform(-1, 1), 1, 0.5 * this->uniform(-1, 1)));
+      const Vec3d at(scale * this->uniform(-1, 1), scale * this->uniform(-1, 1),
+                     scale * this->uniform(-1, 1));
+      Scene scene;
+      scene.materials = {{}};
+      scene.planes = {{normal, -dot(normal, at), 0}, {normal, -dot(normal, at) - 1e-3, 0}};
+      const typename TestFixture::Core core(scene, "none", 1);
+      const Ray<T> down{Vec3<T>(at + normal * scale), Vec3<T>(-normal)};
+      auto hit = core.closest(down);
+      while (hit && hit->id != 0) hit = core.closest(down, *hit);
+      ASSERT_TRUE(hit);
+      const Surface<T> surface = core.primitives().surface(down, *hit);
+      const auto next = core.closest(spawn(surface, surface.normal, true, surface.clearance));
+      missed += !next || next->id != 1;
+    }
+    EXPECT_EQ(missed, 0) << scale;
+  }
+}
+
 TYPED_TEST(Spawn, triangles_a_thousandth_apart_are_always_met_where_floats_tell_them_apart) {
   for (const float scale : {1.0f, 1e5f}) {
     const float h = 1e-3f, a = -2 * scale, b = 2 * scale;

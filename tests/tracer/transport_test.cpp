@@ -132,6 +132,49 @@ TEST_P(EveryScene, depth_1024_ends_and_says_what_it_left_out) {
   EXPECT_EQ(counts.left_out.by_branches > 0, counts.left_out.bound > 0);
 }
 
+TEST(transport, a_tolerance_is_kept_whatever_the_materials) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    Scene scene = furnace(seed, 1);
+    for (Material& m : scene.materials) {
+      m.k_ambient = std::pow(10, 6 * uniform(random) - 4);  // dim and glaring side by side
+      const double passed = m.k_reflect + m.k_refract;
+      m.k_reflect /= passed;
+      m.k_refract /= passed;
+    }
+    RenderSettings s = small(6, 12);
+    s.precision = "double";
+    s.branches = 1 << 14;
+    const Film whole = picture_of(scene, s);
+    for (const double tolerance : {1e-4, 1.0}) {
+      s.pixel_tolerance = tolerance;
+      RenderCounts counts;
+      const Film film = picture_of(scene, s, &counts);
+      EXPECT_LE(counts.left_out.bound, tolerance);
+      for (size_t i = 0; i < film.pixels().size(); ++i) {
+        const float value = max_abs(whole.pixels()[i]);  // whose last digits the film does not hold
+        ASSERT_LE(max_abs(film.pixels()[i] - whole.pixels()[i]),
+                  tolerance + 1e-6 * static_cast<double>(value));
+      }
+    }
+  }
+}
+
+TEST(transport, materials_that_make_light_are_refused) {
+  for (const auto& spoil : std::vector<void (*)(Material&)>{
+           [](Material& m) { m.k_reflect = 0.6, m.k_refract = 0.5; }, [](Material& m) { m.k_reflect = 1.01; },
+           [](Material& m) {
+             m.filter = {1, 1.1, 1};
+           },
+           [](Material& m) { m.k_diffuse = -1; }, [](Material& m) { m.ior = 0; },
+           [](Material& m) { m.ambient.x = std::nan(""); }}) {
+    Scene scene = furnace(1, 1);
+    spoil(scene.materials[0]);
+    EXPECT_THROW((void)make_renderer(scene, small(4, 2)), std::invalid_argument);
+  }
+}
+
 TEST(transport, a_sample_that_may_trace_one_ray_traces_one_and_says_what_is_missing) {
   const Scene scene = furnace(3, 1);
   RenderSettings s = small(16, 10);

@@ -99,10 +99,10 @@ Material take_over(const aiMaterial& source) {
   if (is_invented(source)) return material;
   take_local_model(material, source);
 
-  material.k_reflect = mirrored(source);
   const double transmission = share(source, AI_MATKEY_TRANSMISSION_FACTOR).value_or(0);
   const double opaque = opacity(source) * (1 - transmission);
   material.k_refract = 1 - opaque;
+  material.k_reflect = std::min(mirrored(source), opaque);  // no more than is left
   // What is mirrored or passes through is no longer there to be scattered.
   material.k_ambient *= opaque * (1 - material.k_reflect);
   material.k_diffuse *= opaque * (1 - material.k_reflect);
