@@ -129,7 +129,7 @@ class GlassPaths {
   }
 
   /// What sheets in the same place as the interface leave of white.
-  Vec3<T> also_passed(const Core& core, const Interface<T>& at) const {
+  [[nodiscard]] Vec3<T> also_passed(const Core& core, const Interface<T>& at) const {
     Vec3<T> share(1, 1, 1);
     for (uint32_t i = 0; i < at.also_count; ++i) {
       const Surfacing<T>& passed = surfacing(core, at.also_passed[i]);

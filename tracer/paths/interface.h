@@ -134,7 +134,7 @@ class InterfaceFinder {
     return place;
   }
 
-  Interface<T> understand(const Place& place, const MediumSet& inside) const {
+  [[nodiscard]] Interface<T> understand(const Place& place, const MediumSet& inside) const {
     Interface<T> found;
     found.before = found.beyond = inside;
     found.clearance = place.clearance;

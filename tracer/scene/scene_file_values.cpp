@@ -20,8 +20,8 @@ std::string one_line(std::string_view sentence) {
 }
 
 std::string describe(NumberRange range) {
-  return fmt::format(fmt::runtime(range.open ? "above {:.7g} and below {:.7g}" : "from {:.7g} to {:.7g}"), range.low,
-                     range.high);
+  return fmt::format(fmt::runtime(range.open ? "above {:.7g} and below {:.7g}" : "from {:.7g} to {:.7g}"),
+                     range.low, range.high);
 }
 
 }  // namespace
