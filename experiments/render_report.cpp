@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tracer/shade/medium_set.h"
+
 namespace raysweep {
 
 namespace {
@@ -36,7 +38,7 @@ std::string number_or_unknown(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
 }
 
-void print_left_out(const LeftOut& left_out) {
+void print_left_out(const LeftOut& left_out, uint64_t ray_count) {
   if (left_out.by_depth > 0)
     fmt::print("depth limit: {} rays not sent; they count as black\n", left_out.by_depth);
   if (left_out.by_tolerance + left_out.by_branches > 0) {
@@ -48,9 +50,10 @@ void print_left_out(const LeftOut& left_out) {
   }
   if (left_out.lost_media > 0) {
     fmt::print(
-        "warning: {} paths left the scene from inside something: a mesh that is not closed, or that "
-        "intersects itself?\n",
-        left_out.lost_media);
+        "note: {} of {} rays lost track of what they were in: a few per hundred million slip between "
+        "triangles; "
+        "more come from media nested more than {} deep or meshes that cut through themselves\n",
+        left_out.lost_media, ray_count, MediumSet::capacity);
   }
 }
 
@@ -101,7 +104,7 @@ void print_outcome(const Cell& cell, const RenderJob& job, const RenderOutcome& 
              rays.shadow, rays.reflected, rays.refracted, mrays_per_second(job, outcome.seconds));
   fmt::print("built in {:.3f} s; at most {:.0f} MB of memory\n", job.build_seconds(),
              static_cast<double>(peak_memory_bytes()) / 1e6);
-  print_left_out(left_out);
+  print_left_out(left_out, rays.primary + rays.reflected + rays.refracted);
   if (const auto& d = outcome.difference) {
     fmt::print(
         "against the reference: RMSE {}, relative MSE {}, at most {} of 255 in a channel, {} pixels "

@@ -44,17 +44,20 @@ class InterfaceFinder {
   /// The next interface along `ray`, which starts in `inside`; `inside` becomes the media where the ray
   /// leaves the scene if there is none.
   ///
-  /// Methods that are not watertight let one ray in some ten millions slip between two triangles. One that
-  /// would leave the scene from inside of something has done so: it tries again with its direction moved by a
-  /// few ulps.
+  /// Two things that happen to one ray in some ten millions would let it leave the scene from inside of
+  /// something: methods that are not watertight let it slip between two triangles; and where two solids cut
+  /// through each other, a ray may start a clearance off the one and by that beyond the other. So such a ray
+  /// tries again, from a little before its start, since to enter what one is in is nothing new; then with its
+  /// direction moved by a few ulps.
   [[nodiscard]] std::optional<Interface<T>> next(const Ray<T>& ray, MediumSet& inside) const {
     const MediumSet start = inside;
     auto found = next_along(ray, inside);
-    for (int axis = 0; axis < 3 && !found && !media_.may_end_in(inside); ++axis) {
-      const T shift = 16 * unit_roundoff<T>;
-      const Vec3<T> aside(axis == 0 ? shift : 0, axis == 1 ? shift : 0, axis == 2 ? shift : 0);
+    for (int attempt = 0; attempt < 4 && !found && !media_.may_end_in(inside); ++attempt) {
+      const T shift = 16 * unit_roundoff<T>, back = 128 * unit_roundoff<T> * max_abs(ray.origin);
+      const Vec3<T> aside(attempt == 1 ? shift : 0, attempt == 2 ? shift : 0, attempt == 3 ? shift : 0);
+      const Vec3<T> direction = ray.direction + aside;
       inside = start;
-      found = next_along({ray.origin, ray.direction + aside}, inside);
+      found = next_along({ray.origin - direction * back, direction}, inside);
     }
     return found;
   }
@@ -95,11 +98,13 @@ class InterfaceFinder {
     T clearance = 0;
 
     [[nodiscard]] std::span<const Crossed> all() const { return {crossed.data(), count}; }
-    /// Whether another surface of the same medium is crossed the other way.
-    [[nodiscard]] bool has_opposite(const Crossed& one) const {
-      return std::ranges::any_of(all(), [&](const Crossed& other) {
-        return other.is_boundary() && other.rank == one.rank && other.entering != one.entering;
-      });
+    /// How often more the medium of `rank` is entered than left.
+    [[nodiscard]] int net_entries(uint32_t rank) const {
+      int net = 0;
+      for (const Crossed& c : all()) {
+        if (c.is_boundary() && c.rank == rank) net += c.entering ? 1 : -1;
+      }
+      return net;
     }
   };
 
@@ -139,12 +144,10 @@ class InterfaceFinder {
     found.before = found.beyond = inside;
     found.clearance = place.clearance;
     for (const Crossed& c : place.all()) {
-      if (!c.is_boundary() || place.has_opposite(c)) continue;
-      if (c.entering) {
-        found.beyond.enter(c.rank);
-      } else {
-        found.beyond.leave(c.rank);
-      }
+      if (!c.is_boundary()) continue;
+      const int net = place.net_entries(c.rank);
+      if (net > 0) found.beyond.enter(c.rank);
+      if (net < 0) found.beyond.leave(c.rank);
     }
     const auto choose = [&found](const Crossed& c, Kind kind) {
       found.kind = kind;
@@ -170,8 +173,8 @@ class InterfaceFinder {
     for (size_t i = 0; i < place.count; ++i) {
       const Crossed& c = place.crossed[i];
       const bool is_sheet = c.crossing == Media::Crossing::sheet;
-      const bool is_thin_solid =
-          c.is_boundary() && place.has_opposite(c) && !inside.contains(c.rank) && inside.is_topped_by(c.rank);
+      const bool is_thin_solid = c.is_boundary() && place.net_entries(c.rank) == 0 &&
+                                 !inside.contains(c.rank) && inside.is_topped_by(c.rank);
       if (!is_sheet && !is_thin_solid) continue;
       // Two triangles of one sheet meet at an edge; a thin solid has two faces, both of which count.
       const auto before = place.all().first(i);
