@@ -72,6 +72,10 @@ TEST_F(BadInput, references_that_are_none) {
             0);
   expect_no_picture({"--width", "9", "--height", "8", "--reference", folder.file("r.exr")},
                     "is 8 × 8, the picture 9 × 8; they must be equal");
+  const std::string reference = folder.file("r.exr"), before = read_file(reference);
+  expect_refused({"render", "--width", "8", "--height", "8", "--reference", reference, "--out", reference},
+                 "is the reference itself, which would be lost");
+  EXPECT_EQ(read_file(reference), before);
 }
 
 TEST_F(BadInput, tolerances_and_branches_out_of_range) {

@@ -112,6 +112,14 @@ TEST_F(SceneFileErrors, of_shapes_and_names_of_materials) {
             "scene.toml:5: scaled and moved, mesh \"chair frame\" reaches beyond 1e+12");
 }
 
+TEST_F(SceneFileErrors, of_materials_that_would_make_light) {
+  const std::string ball = "[[objects]]\nshape = 'sphere'\ncentre = [0, 0, 0]\nradius = 1\nmaterial = 'm'\n";
+  EXPECT_EQ(errors("[materials.m]\nk_refract = 0.6\nk_reflect = 0.5\n" + ball),
+            "scene.toml:3: k_reflect + k_refract must not exceed 1");
+  EXPECT_EQ(errors("[materials.m]\nk_refract = 0.6\nfilter = [1, 1, 2]\n" + ball),
+            "scene.toml:3: filter must not exceed 1 in any channel");
+}
+
 TEST_F(SceneFileErrors, of_triangles) {
   const std::string start = material + "[[objects]]\nshape = 'triangles'\nmaterial = 'm'\n";
   EXPECT_EQ(

@@ -22,6 +22,12 @@ TEST_F(SceneFileReads, what_stands_at_the_top) {
   EXPECT_EQ(scene.ambient, Colour(1, 2, 3));
 }
 
+TEST_F(SceneFileReads, dots_in_comments_and_titles_are_no_keys) {
+  std::string dots;
+  for (int i = 0; i < 40; ++i) dots += "0.1, ";
+  EXPECT_EQ(load("# don't: " + dots + "\ntitle = '" + dots + "'\n" + material + sphere).name, dots);
+}
+
 TEST_F(SceneFileReads, defaults_at_the_top) {
   const Scene scene = load(material + sphere);
   EXPECT_EQ(scene.name, (folder / "scene.toml").string());
