@@ -9,23 +9,19 @@
 
 namespace raysweep {
 
-namespace {
-
-std::string lights_text(const Cell& cell) { return cell.lights ? std::to_string(*cell.lights) : "scene"; }
-
-}  // namespace
-
 std::string Cell::chunk_text() const {
   const SchedulerInfo* const info = find_scheduler(scheduler);
   return info && !info->uses_chunk ? "-" : chunk.text();
 }
+
+std::string Cell::lights_text() const { return lights ? std::to_string(*lights) : "scene"; }
 
 std::string Cell::picture_key() const {
   const RenderSettings& s = settings;
   return fmt::format(
       "scene={},mode={},width={},height={},subpixels={},pattern={},depth={},lights={},core={},method={},"
       "precision={},pixel_tolerance={},branches={}",
-      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights_text(*this), s.core, s.method,
+      scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights_text(), s.core, s.method,
       s.precision, s.pixel_tolerance, s.branches);
 }
 

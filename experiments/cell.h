@@ -30,6 +30,8 @@ struct Cell {
   [[nodiscard]] std::string picture_key() const;
   /// "4", "2/thread", or "-" where the scheduler has no use for a chunk.
   [[nodiscard]] std::string chunk_text() const;
+  /// "2", or "scene" for as many as the scene has.
+  [[nodiscard]] std::string lights_text() const;
 };
 
 /// The scene's own number of lights where none was asked for. Throws SceneError.

@@ -54,8 +54,7 @@ std::string set_pixel_tolerance(Cell& cell, const std::string& value) {
   if (!number || !(*number >= 0 && *number <= 1)) {
     return fmt::format(
         "pixel_tolerance = {} is not possible: a number from 0 to 1, of the film's units, where 1 is white; "
-        "0 "
-        "ends no path early",
+        "0 ends no path early",
         value);
   }
   cell.settings.pixel_tolerance = *number;
@@ -148,7 +147,7 @@ const std::array factors{
                [](const Cell& c) { return fmt::format("{}", c.settings.pixel_tolerance); }},
     RAYSWEEP_INT("branches", settings.branches, branches_range, "rays that a sample may trace through glass"),
     CellFactor{"lights", "0 to 64, or scene for as many as it has", true, set_lights,
-               [](const Cell& c) { return c.lights ? std::to_string(*c.lights) : std::string("scene"); }},
+               [](const Cell& c) { return c.lights_text(); }},
     RAYSWEEP_CHOICE("accel", settings.accel, accels),
     RAYSWEEP_INT("leaf", settings.leaf, leaf_range, "primitives a leaf holds at most"),
     RAYSWEEP_CHOICE("core", settings.core, cores),

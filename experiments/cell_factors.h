@@ -13,7 +13,7 @@ namespace raysweep {
 struct CellFactor {
   std::string_view name;
   std::string_view possible;                            // values, for help texts
-  bool integer;                                         // configs may give numbers and ranges
+  bool numeric;                                         // configs may give numbers and ranges
   std::string (*set)(Cell&, const std::string& value);  // what is wrong with the value; empty if nothing is
   std::string (*text)(const Cell&);
 };

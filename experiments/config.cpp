@@ -160,23 +160,22 @@ class Parser {
     const toml::node* node;
   };
 
-  /// A value or a list of values as text; ranges of integer factors expanded.
-  std::vector<Value> values_of(const toml::node& node, std::string_view name, bool integer) {
+  /// A value or a list of values as text; ranges of factors that are numbers expanded.
+  std::vector<Value> values_of(const toml::node& node, std::string_view name, bool numeric) {
     std::vector<Value> values;
     const auto add = [&](const toml::node& one) {
-      if (const auto number = one.value_exact<int64_t>(); number && integer) {
+      if (const auto number = one.value_exact<int64_t>(); number && numeric) {
         values.push_back({std::to_string(*number), &one});
-      } else if (const auto real = one.value_exact<double>(); real && integer) {
+      } else if (const auto real = one.value_exact<double>(); real && numeric) {
         values.push_back({fmt::format("{}", *real), &one});
       } else if (const auto text = one.value_exact<std::string>()) {
-        const std::vector<int> range = integer ? expand_range(*text, machine_) : std::vector<int>();
+        const std::vector<int> range = numeric ? expand_range(*text, machine_) : std::vector<int>();
         for (const int v : range) values.push_back({std::to_string(v), &one});
         if (range.empty()) values.push_back({*text, &one});
       } else {
         fail(one,
-             integer
-                 ? fmt::format("{} must be whole numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"",
-                               name)
+             numeric
+                 ? fmt::format("{} must be numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"", name)
                  : fmt::format("{} must be strings in quotes", name));
       }
     };
@@ -201,7 +200,7 @@ class Parser {
       return {};
     }
     std::vector<std::string> checked;
-    for (Value& value : values_of(node, name, factor->integer)) {
+    for (Value& value : values_of(node, name, factor->numeric)) {
       Cell scratch;
       if (const std::string problem = factor->set(scratch, value.text); !problem.empty()) {
         fail(*value.node, problem);

@@ -59,6 +59,8 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
   plan.rounds = config.measure.launches;
   plan.seed = config.measure.seed;
   Planner planner(plan, machine);
+  const int lights = own_light_count(config.scene);
+  int most = 0;
   const std::vector<std::string> modes = config.modes.empty() ? std::vector<std::string>{""} : config.modes;
   for (const std::string& mode : modes) {
     Cell base;
@@ -77,14 +79,12 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       }
       cells = std::move(extended);
     }
-    const int lights = own_light_count(config.scene);
-    int most = 0;
     for (Cell& cell : cells) {
       most = std::max(most, cell.lights.emplace(cell.lights.value_or(lights)));
       planner.add_with_bases(cell);
     }
-    (void)load_scene(config.scene, most);  // a file that has fewer lights is refused before anything runs
   }
+  (void)load_scene(config.scene, most);  // a file that has fewer lights is refused before anything runs
   return plan;
 }
 

@@ -81,9 +81,8 @@ TEST(config, each_bad_value_is_told_by_file_line_and_possible_values) {
   EXPECT_EQ(errors(head + "[sweep]\nthreads = 1.5\n"),
             "sweep.toml:3: threads = 1.5 is not a whole number in range: a whole number from 1 to 1024 is "
             "possible");
-  EXPECT_EQ(
-      errors(head + "[sweep]\nthreads = true\n"),
-      "sweep.toml:3: threads must be whole numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"");
+  EXPECT_EQ(errors(head + "[sweep]\nthreads = true\n"),
+            "sweep.toml:3: threads must be numbers or ranges such as \"1..4\", \"cores\", \"1..2*pus\"");
   EXPECT_EQ(errors(head + "[sweep]\npixel_tolerance = [0.01, 2]\n"),
             "sweep.toml:3: pixel_tolerance = 2 is not possible: a number from 0 to 1, of the film's units, "
             "where 1 is "

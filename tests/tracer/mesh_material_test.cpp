@@ -7,6 +7,7 @@ namespace {
 class MeshMaterials : public SceneFolder {
  public:
   void SetUp() override {
+    // A build without Assimp reads no mesh files, and says so.
     if (!why_no_mesh_files().empty()) GTEST_SKIP() << why_no_mesh_files();
   }
 

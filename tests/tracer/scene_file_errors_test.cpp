@@ -8,9 +8,6 @@ namespace {
 
 using SceneFileErrors = SceneFolder;
 
-const std::string material = "[materials.m]\n";
-const std::string sphere = "[[objects]]\nshape = 'sphere'\ncentre = [0, 0, 0]\nradius = 1\nmaterial = 'm'\n";
-
 TEST_F(SceneFileErrors, all_are_told_at_once_in_the_order_of_their_lines) {
   EXPECT_EQ(
       errors("[[objects]]\nshape = 'sphere'\nradiuss = 1\ncentre = [0, 0]\nradius = 0\n"
@@ -113,10 +110,9 @@ TEST_F(SceneFileErrors, of_shapes_and_names_of_materials) {
 }
 
 TEST_F(SceneFileErrors, of_materials_that_would_make_light) {
-  const std::string ball = "[[objects]]\nshape = 'sphere'\ncentre = [0, 0, 0]\nradius = 1\nmaterial = 'm'\n";
-  EXPECT_EQ(errors("[materials.m]\nk_refract = 0.6\nk_reflect = 0.5\n" + ball),
+  EXPECT_EQ(errors("[materials.m]\nk_refract = 0.6\nk_reflect = 0.5\n" + sphere),
             "scene.toml:3: k_reflect + k_refract must not exceed 1");
-  EXPECT_EQ(errors("[materials.m]\nk_refract = 0.6\nfilter = [1, 1, 2]\n" + ball),
+  EXPECT_EQ(errors("[materials.m]\nk_refract = 0.6\nfilter = [1, 1, 2]\n" + sphere),
             "scene.toml:3: filter must not exceed 1 in any channel");
 }
 

@@ -12,6 +12,11 @@
 
 namespace raysweep {
 
+/// A material and an object: the least that a scene needs.
+inline const std::string material = "[materials.m]\n";
+inline const std::string sphere =
+    "[[objects]]\nshape = 'sphere'\ncentre = [0, 0, 0]\nradius = 1\nmaterial = 'm'\n";
+
 class SceneFolder : public testing::Test {
  public:
   SceneFolder() {

@@ -29,7 +29,6 @@ class Primitives {
   [[nodiscard]] uint32_t count() const { return first_sphere() + static_cast<uint32_t>(boxes_.size()); }
   [[nodiscard]] const std::vector<Box<T>>& boxes() const { return boxes_; }
   [[nodiscard]] uint32_t material(uint32_t id) const { return materials_[id]; }
-  [[nodiscard]] bool is_opaque(uint32_t id) const { return opaque_[materials_[id]] != 0; }
   /// Whether a ray can meet this primitive in two places.
   [[nodiscard]] bool is_met_twice(uint32_t id) const { return id >= first_sphere() && id < first_triangle(); }
   [[nodiscard]] const Prepared& triangle(uint32_t id) const { return prepared_[id - first_triangle()]; }
@@ -95,8 +94,7 @@ class Primitives {
   std::vector<TriangleShape<T>> triangles_;
   std::vector<Prepared> prepared_;
   std::vector<Box<T>> boxes_;
-  std::vector<uint32_t> materials_;    // of each primitive
-  std::vector<unsigned char> opaque_;  // of each material
+  std::vector<uint32_t> materials_;  // of each primitive
 };
 
 /// `box` grown by a few units in the last place of its coordinates: computed hits stray that far from the
@@ -114,7 +112,6 @@ template <class T>
 
 template <class T, class Method>
 Primitives<T, Method>::Primitives(const Scene& scene) {
-  for (const Material& m : scene.materials) opaque_.push_back(m.k_refract == 0);
   for (const Plane& p : scene.planes) {
     planes_.emplace_back(p);
     materials_.push_back(p.material);

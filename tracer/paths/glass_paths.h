@@ -146,7 +146,7 @@ class GlassPaths {
     hits.clear();
     const bool blocked = sample.core.visit_hits(ray, distance, [&](const Hit<T>& hit) {
       hits.push_back(hit);
-      return sample.core.primitives().is_opaque(hit.id);
+      return media_.crossing(hit.id) == Media::Crossing::opaque;
     });
     if (blocked) return {};
     std::ranges::sort(hits, [](const Hit<T>& a, const Hit<T>& b) { return a.before(b); });
