@@ -9,10 +9,45 @@
 
 namespace raysweep {
 
+namespace {
+
+/// The serial scheduler stands for a program without any of this.
+bool uses_placement(const std::string& scheduler) {
+  const SchedulerInfo* const info = find_scheduler(scheduler);
+  return !info || info->uses_threads;
+}
+
+bool chooses_runtime(const std::string& scheduler) {
+  const SchedulerInfo* const info = find_scheduler(scheduler);
+  return info && info->uses_runtime();
+}
+
+}  // namespace
+
 std::string Cell::chunk_text() const {
   const SchedulerInfo* const info = find_scheduler(scheduler);
   return info && !info->uses_chunk ? "-" : chunk.text();
 }
+
+std::string Cell::runtime_text() const {
+  if (!chooses_runtime(scheduler)) return "-";
+  return runtime == "default" ? default_runtime(*find_scheduler(scheduler)) : runtime;
+}
+
+std::string Cell::pin_text() const { return uses_placement(scheduler) ? pin : "-"; }
+
+std::string Cell::wait_policy_text() const {
+  const SchedulerInfo* const info = find_scheduler(scheduler);
+  return info && !info->uses_wait_policy() ? "-" : wait_policy;
+}
+
+std::string Cell::spin_count_text() const {
+  const SchedulerInfo* const info = find_scheduler(scheduler);
+  if (info && !uses_spin_count(*info, runtime_text())) return "-";
+  return spin_count ? std::to_string(*spin_count) : "default";
+}
+
+std::string Cell::environment_text() const { return uses_placement(scheduler) ? environment : "-"; }
 
 std::string Cell::lights_text() const { return lights ? std::to_string(*lights) : "scene"; }
 
@@ -26,9 +61,13 @@ std::string Cell::picture_key() const {
 }
 
 std::string Cell::key() const {
-  return fmt::format("{},accel={},leaf={},scheduler={},threads={},item={},chunk={},pin={}{}", picture_key(),
-                     settings.accel, settings.leaf, scheduler, threads, item, chunk_text(), pin,
-                     processes > 1 ? fmt::format(",processes={}", processes) : "");
+  return fmt::format(
+      "{},accel={},leaf={},scheduler={},runtime={},threads={},item={},order={},chunk={},pin={},wait_policy={}"
+      ","
+      "spin_count={},environment={}{}",
+      picture_key(), settings.accel, settings.leaf, scheduler, runtime_text(), threads, item, order,
+      chunk_text(), pin_text(), wait_policy_text(), spin_count_text(), environment_text(),
+      processes > 1 ? fmt::format(",processes={}", processes) : "");
 }
 
 void resolve_lights(Cell& cell) {
@@ -38,8 +77,16 @@ void resolve_lights(Cell& cell) {
 void collapse_ignored_factors(Cell& cell) {
   const SchedulerInfo* const info = find_scheduler(cell.scheduler);
   if (!info) return;
+  const Cell usual;
   if (!info->uses_threads) cell.threads = 1;
-  if (!info->uses_chunk) cell.chunk = {};
+  if (!info->uses_chunk) cell.chunk = usual.chunk;
+  cell.runtime = info->uses_runtime() ? cell.runtime_text() : usual.runtime;
+  if (!uses_placement(cell.scheduler)) {
+    cell.pin = usual.pin;
+    cell.environment = usual.environment;
+  }
+  if (!info->uses_wait_policy()) cell.wait_policy = usual.wait_policy;
+  if (!uses_spin_count(*info, cell.runtime)) cell.spin_count = usual.spin_count;
 }
 
 nlohmann::json to_json(const Cell& cell) {

@@ -18,10 +18,14 @@ struct Cell {
   std::optional<int> lights;  // none: as many as the scene has; told before anything is planned or run
   std::string scheduler = "serial";
   int threads = 1;
-  std::string item = "rows";
+  std::string runtime = "default";  // of schedulers that may run on several
+  std::string item = "rows", order = "scanline";
   Chunk chunk;
-  std::string pin = "none";
-  int processes = 1;  // more than 1: so many co-running copies, for the ceiling
+  std::string pin = "none";             // a policy or a list of processors
+  std::string wait_policy = "default";  // what idle workers do: "default", "active" or "passive"
+  std::optional<int> spin_count;        // how often they look before they sleep; none: as the runtime likes
+  std::string environment;              // "NAME=VALUE NAME=VALUE" for the runtime
+  int processes = 1;                    // more than 1: so many co-running copies, for the ceiling
 
   /// The canonical name: `factor=value,…` over every factor. Factors that the scheduler ignores are "-", so
   /// that cells that differ only in them are one cell.
@@ -30,6 +34,13 @@ struct Cell {
   [[nodiscard]] std::string picture_key() const;
   /// "4", "2/thread", or "-" where the scheduler has no use for a chunk.
   [[nodiscard]] std::string chunk_text() const;
+  /// "libgomp", resolved, or "-" where the scheduler has no choice.
+  [[nodiscard]] std::string runtime_text() const;
+  /// As the factors' texts, but "-" where the scheduler has no use for them.
+  [[nodiscard]] std::string pin_text() const;
+  [[nodiscard]] std::string wait_policy_text() const;
+  [[nodiscard]] std::string spin_count_text() const;
+  [[nodiscard]] std::string environment_text() const;
   /// "2", or "scene" for as many as the scene has.
   [[nodiscard]] std::string lights_text() const;
 };
@@ -37,7 +48,7 @@ struct Cell {
 /// The scene's own number of lights where none was asked for. Throws SceneError.
 void resolve_lights(Cell& cell);
 
-/// One thread and no chunk where the scheduler ignores them.
+/// The default for whatever the scheduler ignores, and the name of the runtime that it gets.
 void collapse_ignored_factors(Cell& cell);
 
 [[nodiscard]] nlohmann::json to_json(const Cell& cell);

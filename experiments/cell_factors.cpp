@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <sstream>
+#include <vector>
 
 #include "experiments/errors.h"
 #include "experiments/item.h"
 #include "experiments/numbers.h"
+#include "schedulers/placement.h"
 #include "schedulers/registry.h"
 #include "tracer/sample/pattern.h"
 
@@ -72,37 +76,58 @@ std::string set_scheduler(Cell& cell, const std::string& value) {
   if (!info) {
     std::string names;
     for (const SchedulerInfo& known : all_schedulers()) {
-      if (why_unavailable(known.family).empty())
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+      if (why_unavailable(known).empty()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
     }
     return fmt::format("unknown scheduler \"{}\"; built here: {}", value, names);
   }
-  if (const std::string problem = why_unavailable(info->family); !problem.empty()) {
-    return fmt::format("scheduler \"{}\" cannot be used here: {}", value, problem);
-  }
+  if (const std::string problem = why_unavailable(*info); !problem.empty())
+    return fmt::format("scheduler \"{}\" cannot be used here: it is {}", value, problem);
   cell.scheduler = value;
+  return {};
+}
+
+std::string set_runtime(Cell& cell, const std::string& value) {
+  std::string names = "default";
+  for (const RuntimeInfo& known : all_runtimes()) {
+    if (known.family != "openmp") continue;  // other families have one only
+    names += fmt::format(", {}", known.name);
+    if (known.name != value) continue;
+    if (const std::string& problem = module_report(value).problem; !problem.empty())
+      return fmt::format("runtime \"{}\" cannot be used here: it is {}", value, problem);
+    cell.runtime = value;
+    return {};
+  }
+  if (value != "default") return fmt::format("unknown runtime \"{}\"; possible: {}", value, names);
+  cell.runtime = value;
   return {};
 }
 
 std::string set_item(Cell& cell, const std::string& value) {
   if (!parse_item(value)) {
-    return fmt::format("unknown item \"{}\"; possible: rows, tiles, tiles:SIDE with a side from 1 to {}",
-                       value, max_tile_side);
+    return fmt::format(
+        "unknown item \"{}\"; possible: pixels, rows, columns, tiles, tiles:SIDE with a side from 1 to {}",
+        value, max_tile_side);
   }
   cell.item = value;
   return {};
 }
 
 std::string set_chunk(Cell& cell, const std::string& value) {
-  constexpr std::string_view suffix = "/thread";
+  constexpr std::pair<std::string_view, Chunk::Unit> suffixes[] = {{"/thread", Chunk::Unit::per_thread},
+                                                                   {"B", Chunk::Unit::bytes}};
   Chunk chunk;
-  chunk.per_thread = value.ends_with(suffix);
-  const auto digits =
-      std::string_view(value).substr(0, value.size() - (chunk.per_thread ? suffix.size() : 0));
+  std::string_view digits = value;
+  for (const auto& [suffix, unit] : suffixes) {
+    if (!digits.ends_with(suffix)) continue;
+    digits.remove_suffix(suffix.size());
+    chunk.unit = unit;
+    break;
+  }
   const auto number = parse_number<int>(digits);
   if (!number || *number < 1 || *number > max_chunk) {
-    return fmt::format("chunk = {} is not possible: a count from 1 to {}, or \"COUNT/thread\"", value,
-                       max_chunk);
+    return fmt::format(
+        "chunk = {} is not possible: a count from 1 to {}, \"COUNT/thread\", or \"COUNTB\" for bytes of film",
+        value, max_chunk);
   }
   chunk.value = *number;
   cell.chunk = chunk;
@@ -110,9 +135,49 @@ std::string set_chunk(Cell& cell, const std::string& value) {
 }
 
 std::string set_pin(Cell& cell, const std::string& value) {
-  if (value != "none") return fmt::format("unknown pin \"{}\"; built here: none", value);
-  cell.pin = value;
+  std::string problem = pin_problem(value, {});
+  if (problem.empty()) cell.pin = value;
+  return problem;
+}
+
+std::string set_spin_count(Cell& cell, const std::string& value) {
+  if (value == "default") {
+    cell.spin_count.reset();
+    return {};
+  }
+  int count = 0;
+  std::string problem = set_int("spin_count", count, value, {0, 1'000'000'000});
+  if (problem.empty()) cell.spin_count = count;
+  return problem;
+}
+
+/// Only what runtimes read when they are loaded: other variables would be too late for this process.
+std::string set_environment(Cell& cell, const std::string& value) {
+  std::istringstream in(value);
+  for (std::string word; in >> word;) {
+    const size_t equals = word.find('=');
+    const bool known = std::ranges::any_of(runtime_variables(),
+                                           [&](std::string_view prefix) { return word.starts_with(prefix); });
+    if (equals == std::string::npos || !known) {
+      return fmt::format(
+          "environment = \"{}\" is not possible: NAME=VALUE, separated by spaces, with names that begin "
+          "with {}",
+          value, fmt::join(runtime_variables(), ", "));
+    }
+  }
+  cell.environment = value;
   return {};
+}
+
+constexpr std::array<Choice, 3> wait_policies_list{Choice{"default", "as the runtime likes"},
+                                                   Choice{"active", "idle workers spin"},
+                                                   Choice{"passive", "idle workers sleep at once"}};
+std::span<const Choice> wait_policies() { return wait_policies_list; }
+
+std::vector<Choice> order_choices() {
+  std::vector<Choice> choices;
+  for (const OrderInfo& order : item_orders()) choices.push_back({order.name, order.summary});
+  return choices;
 }
 
 #define RAYSWEEP_INT(name, member, range, possible)                                                        \
@@ -156,10 +221,27 @@ const std::array factors{
     CellFactor{"scheduler", "see `raysweep list schedulers`", false, set_scheduler,
                [](const Cell& c) { return c.scheduler; }},
     RAYSWEEP_INT("threads", threads, threads_range, "1 to 1024"),
-    CellFactor{"item", "rows, tiles or tiles:SIDE", false, set_item, [](const Cell& c) { return c.item; }},
-    CellFactor{"chunk", "items handed out at once: COUNT or COUNT/thread", true, set_chunk,
-               [](const Cell& c) { return c.chunk.text(); }},
-    CellFactor{"pin", "none", false, set_pin, [](const Cell& c) { return c.pin; }},
+    CellFactor{"runtime", "of omp_*: libgomp or libomp, see `raysweep list runtimes`", false, set_runtime,
+               [](const Cell& c) { return c.runtime; }},
+    CellFactor{"item", "pixels, rows, columns, tiles or tiles:SIDE", false, set_item,
+               [](const Cell& c) { return c.item; }},
+    CellFactor{"order", "of items: scanline, morton, hilbert or lpt (longest first, by the last frame)",
+               false,
+               [](Cell& c, const std::string& v) { return set_choice("order", c.order, v, order_choices()); },
+               [](const Cell& c) { return c.order; }},
+    CellFactor{"chunk", "handed out at once: COUNT items, COUNT/thread, or COUNTB bytes of film", true,
+               set_chunk, [](const Cell& c) { return c.chunk.text(); }},
+    CellFactor{"pin", "see `raysweep list pins`", false, set_pin, [](const Cell& c) { return c.pin; }},
+    CellFactor{"wait_policy", "what idle workers do: default, active or passive", false,
+               [](Cell& c, const std::string& v) {
+                 return set_choice("wait_policy", c.wait_policy, v, wait_policies());
+               },
+               [](const Cell& c) { return c.wait_policy; }},
+    CellFactor{"spin_count", "how often idle workers look before they sleep: default or a number", true,
+               set_spin_count,
+               [](const Cell& c) { return c.spin_count ? std::to_string(*c.spin_count) : "default"; }},
+    CellFactor{"environment", "for the runtime: NAME=VALUE NAME=VALUE", false, set_environment,
+               [](const Cell& c) { return c.environment; }},
 };
 
 #undef RAYSWEEP_INT
@@ -168,6 +250,11 @@ const std::array factors{
 }  // namespace
 
 std::span<const CellFactor> cell_factors() { return factors; }
+
+std::span<const std::string_view> runtime_variables() {
+  static constexpr std::array<std::string_view, 4> prefixes{"OMP_", "GOMP_", "KMP_", "TBB_"};
+  return prefixes;
+}
 
 const CellFactor* find_factor(std::string_view name) {
   for (const CellFactor& factor : factors) {

@@ -20,6 +20,9 @@ struct CellFactor {
 
 [[nodiscard]] std::span<const CellFactor> cell_factors();
 
+/// How the names of variables begin that the runtimes of schedulers read from the environment.
+[[nodiscard]] std::span<const std::string_view> runtime_variables();
+
 /// Null for an unknown name.
 [[nodiscard]] const CellFactor* find_factor(std::string_view name);
 

@@ -26,7 +26,12 @@ Record record_of(const Cell& cell) {
   r.threads = cell.threads;
   r.processes = cell.processes;
   r.chunk = cell.chunk_text();
-  r.pin = cell.pin;
+  r.runtime = cell.runtime_text();
+  r.order = cell.order;
+  r.pin = cell.pin_text();
+  r.wait_policy = cell.wait_policy_text();
+  r.spin_count = cell.spin_count_text();
+  r.environment = cell.environment_text();
   return r;
 }
 

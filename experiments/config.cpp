@@ -124,12 +124,41 @@ class Parser {
         } else {
           fail(node, "\"zip\" must be a table: [sweep.zip]");
         }
+      } else if (key == "placement") {
+        read_placement(sweep, node);
       } else {
         Axis axis{{std::string(key.str())}, {}};
         for (std::string& value : factor_values(key.str(), node)) axis.points.push_back({std::move(value)});
         if (!axis.points.empty()) config_.axes.push_back(std::move(axis));
       }
     }
+  }
+
+  /// `placement = "hyper-threading"`: threads and pin together, as many threads as cores, on as many or half
+  /// as many, and twice as many.
+  void read_placement(const toml::table& sweep, const toml::node& node) {
+    if (node.value_exact<std::string>() != "hyper-threading") {
+      fail(node, "unknown placement; possible: \"hyper-threading\"");
+      return;
+    }
+    for (const char* name : {"threads", "pin"}) {
+      if (sweep.contains(name))
+        fail(*sweep.get(name), fmt::format("placement decides \"{}\" too; keep one of them", name));
+    }
+    if (!machine_.hyper_threading) {
+      config_.not_here = fmt::format(
+          "this machine shows no hyper-threading ({} cores, {} processors): every hardware thread is a core "
+          "of its "
+          "own, so there is nothing to compare",
+          machine_.cores, machine_.pus);
+      return;
+    }
+    const HyperThreadingPlacements& p = *machine_.hyper_threading;
+    Axis axis{{"threads", "pin"}, {}};
+    for (const std::vector<int>* placed : {&p.one_each, &p.two_each, &p.packed}) {
+      if (!placed->empty()) axis.points.push_back({std::to_string(placed->size()), processor_list(*placed)});
+    }
+    config_.axes.push_back(std::move(axis));
   }
 
   void read_zip(const toml::table& zip) {
@@ -196,13 +225,16 @@ class Parser {
       for (const CellFactor& f : cell_factors()) {
         if (f.name != "scene") known.push_back(f.name);
       }
-      fail(node, fmt::format("unknown key \"sweep.{}\"; possible: {}, zip", name, fmt::join(known, ", ")));
+      fail(node, fmt::format("unknown key \"sweep.{}\"; possible: {}, placement, zip", name,
+                             fmt::join(known, ", ")));
       return {};
     }
     std::vector<std::string> checked;
     for (Value& value : values_of(node, name, factor->numeric)) {
       Cell scratch;
-      if (const std::string problem = factor->set(scratch, value.text); !problem.empty()) {
+      std::string problem = factor->set(scratch, value.text);
+      if (problem.empty() && name == "pin") problem = pin_problem(value.text, machine_.processors);
+      if (!problem.empty()) {
         fail(*value.node, problem);
       } else {
         checked.push_back(std::move(value.text));

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/cell.h"
+#include "schedulers/placement.h"
 
 namespace raysweep {
 
@@ -31,11 +33,14 @@ struct Config {
   std::vector<std::string> modes;  // empty: the default settings
   std::vector<Axis> axes;
   Measure measure;
+  std::string not_here;  // why this machine cannot answer the question, as a sentence; empty if it can
 };
 
-/// What ranges such as "1..2*pus" refer to.
+/// The machine as far as a config refers to it.
 struct MachineSize {
-  int cores, pus;
+  int cores, pus;                                             // in ranges such as "1..2*pus"
+  std::vector<int> processors{};                              // that may be pinned to; empty: any
+  std::optional<HyperThreadingPlacements> hyper_threading{};  // none where there is none
 };
 
 /// Parses `text`; `file` is for messages and for paths relative to it; `overrides` are `key=value` as of

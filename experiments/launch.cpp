@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "experiments/cell_record.h"
 #include "experiments/clock.h"
 #include "experiments/render_job.h"
+#include "results/statistics.h"
+#include "schedulers/placement.h"
 #include "schedulers/registry.h"
 
 namespace raysweep {
@@ -14,6 +17,8 @@ namespace raysweep {
 namespace {
 
 constexpr double warmup_seconds = 0.05;
+// Logging and measuring items may cost so much of a frame; where they would cost more, they are off.
+constexpr double affordable_share = 0.01;
 
 double timed_frame(RenderJob& job) {
   const double begin = now_seconds();
@@ -21,18 +26,74 @@ double timed_frame(RenderJob& job) {
   return now_seconds() - begin;
 }
 
-uint64_t chunks_so_far(const RenderJob& job) {
-  uint64_t sum = 0;
-  for (const WorkerEntry& entry : job.log().entries()) sum += entry.chunks;
-  return sum;
+/// "libgomp: OpenMP 201511 by gcc 12.2.0, /usr/lib/…/libgomp.so.1.0.0, build …"; empty where none is needed.
+std::string library_text(const Cell& cell) {
+  const std::string runtime =
+      cell.runtime == "default" ? default_runtime(*find_scheduler(cell.scheduler)) : cell.runtime;
+  if (runtime.empty()) return {};
+  const Module& module = load_module(runtime, scheduler_options(cell, {}));
+  return fmt::format("{}: {}, {}, build {}", runtime, module.version, module.library.file,
+                     module.library.build_id);
 }
 
-void warm_up(RenderJob& job, int frames, Record& record) {
-  double total = 0;
-  while (static_cast<int>(record.warmup_seconds.size()) < frames || total < warmup_seconds) {
-    record.warmup_seconds.push_back(timed_frame(job));
-    total += record.warmup_seconds.back();
+/// What is wrong with where the workers are bound, told by each from inside; empty if nothing is.
+std::string what_is_misplaced(RenderJob& job, int threads) {
+  if (job.placement().empty()) return {};
+  const std::vector<ProcessorSet> told = processors_of_workers(job.scheduler(), threads);
+  for (size_t worker = 0; worker < told.size(); ++worker) {
+    const int asked = job.placement()[worker];
+    if (told[worker] == ProcessorSet{asked}) continue;
+    return told[worker].empty() ? fmt::format("worker {} did not come when all were called", worker)
+                                : fmt::format("worker {} may run on processors {}, and was bound to {}",
+                                              worker, processor_list(told[worker]), asked);
   }
+  return {};
+}
+
+/// The median time of a run that has one item a thread and nothing to do.
+double empty_region_seconds(Scheduler& scheduler, int threads) {
+  constexpr int most = 51;
+  constexpr double budget = 0.02;  // where a region takes milliseconds, few must do
+  std::vector<double> samples;
+  WorkerLog log(threads);
+  const Body nothing = [](size_t, size_t, int) {};
+  for (double total = 0; static_cast<int>(samples.size()) < most && total < budget; total += samples.back()) {
+    const double begin = now_seconds();
+    scheduler.run({static_cast<size_t>(threads)}, {}, nothing, log);
+    samples.push_back(now_seconds() - begin);
+  }
+  return median(samples);
+}
+
+/// Frames until the scheduler has settled and, as far as there is hope, every thread has taken part. What a
+/// frame takes then.
+double warm_up(RenderJob& job, const Cell& cell, Record& record) {
+  constexpr size_t more_frames_at_most = 10;  // for threads that were not there yet
+  const auto least = static_cast<size_t>(find_scheduler(cell.scheduler)->warmup_runs);
+  std::vector<double>& frames = record.warmup_seconds;
+  double total = 0;
+  const auto waits_for_threads = [&] {
+    return job.log().workers_seen() < cell.threads && frames.size() < least + more_frames_at_most;
+  };
+  while (frames.size() < least || total < warmup_seconds || waits_for_threads()) {
+    frames.push_back(timed_frame(job));
+    total += frames.back();
+  }
+  return frames.back();
+}
+
+/// Turns on what the frame can afford. Returns the detail of the log, and notes what it will cost.
+LogDetail choose_detail(RenderJob& job, const Cell& cell, double frame_seconds, Record& record) {
+  const auto warm_frames = static_cast<double>(record.warmup_seconds.size());
+  const double event = log_cost_of_a_chunk(LogDetail::times).count();
+  const double chunks_a_worker = static_cast<double>(job.log().chunks()) / warm_frames / cell.threads;
+  const double items = static_cast<double>(job.item_count());
+  // Two readings of the clock an item are less than an entry of the log.
+  if (cell.scheduler == "serial" && items * event < affordable_share * frame_seconds) job.measure_items();
+  record.log_share = chunks_a_worker * event / frame_seconds;
+  if (record.log_share < affordable_share) return LogDetail::times;
+  record.log_share = 0;
+  return LogDetail::counts;
 }
 
 /// Every timed frame must have run every item, and sent out the same rays.
@@ -48,7 +109,7 @@ std::string what_is_wrong(const RenderJob& job, uint64_t frames) {
   return {};
 }
 
-void fill_in(const RenderJob& job, Record& record) {
+void fill_in_pictures(const RenderJob& job, Record& record) {
   const uint64_t frames = record.frame_seconds.front().size();
   const RayCounts rays = job.rays();
   record.rays = {rays.primary / frames, rays.shadow / frames, rays.reflected / frames,
@@ -56,14 +117,31 @@ void fill_in(const RenderJob& job, Record& record) {
   const LeftOut left = job.counts().left_out;
   record.left_out = {left.by_depth / frames, left.by_tolerance / frames, left.by_branches / frames,
                      left.bound, left.lost_media / frames};
-  record.reason = what_is_wrong(job, frames);
+  if (record.reason.empty()) record.reason = what_is_wrong(job, frames);
   record.valid = record.reason.empty();
   record.build_seconds = job.build_seconds();
   record.image_hash = job.film().hash();
-  record.threads_seen = job.log().workers_seen();
-  for (const WorkerEntry& entry : job.log().entries()) {
-    record.workers.push_back({entry.items, entry.chunks, entry.processor});
+}
+
+double seconds(std::chrono::nanoseconds t) { return std::chrono::duration<double>(t).count(); }
+
+void fill_in_workers(const RenderJob& job, Record& record) {
+  const WorkerLog& log = job.log();
+  std::set<int> processors, cores;
+  for (const WorkerEntry& entry : log.entries()) {
+    record.workers.push_back({entry.items, entry.chunks, seconds(entry.busy), seconds(entry.scheduling),
+                              seconds(entry.idle), entry.processor, entry.migrations});
+    if (entry.processor >= 0) processors.insert(entry.processor);
+    processors.insert(entry.processors.begin(), entry.processors.end());
   }
+  for (const int processor : processors) {
+    if (const HardwareThread* const known = job.topology().find(processor)) cores.insert(known->core);
+  }
+  record.threads_seen = log.workers_seen();
+  record.processors_seen = static_cast<int>(processors.size());
+  record.cores_seen = static_cast<int>(cores.size());
+  for (const auto& [size, times] : log.chunk_sizes()) record.chunk_sizes.emplace_back(size, times);
+  record.item_seconds = job.item_seconds().value_or(ItemSeconds{});
 }
 
 }  // namespace
@@ -71,20 +149,27 @@ void fill_in(const RenderJob& job, Record& record) {
 void run_launch(const Cell& cell, const LaunchOptions& options) {
   RenderJob job(cell);
   Record record = record_of(cell);
-  record.runtime = runtime_of(find_scheduler(cell.scheduler)->family);
+  record.library = library_text(cell);
+  record.reason = what_is_misplaced(job, cell.threads);
   std::vector<double>& frames = record.frame_seconds.emplace_back();
-  if (options.timed) warm_up(job, find_scheduler(cell.scheduler)->warmup_runs, record);
-  job.reset();
+  LogDetail detail = LogDetail::counts;
+  if (options.timed) {
+    record.empty_region_seconds = empty_region_seconds(job.scheduler(), cell.threads);
+    const double frame_seconds = warm_up(job, cell, record);
+    detail = choose_detail(job, cell, frame_seconds, record);
+  }
+  job.reset(detail);
   if (options.before_timing) options.before_timing();
   double total = 0;
   uint64_t chunks = 0;
   do {
     frames.push_back(timed_frame(job));
     total += frames.back();
-    record.chunks_made.push_back(chunks_so_far(job) - chunks);
+    record.chunks_made.push_back(job.log().chunks() - chunks);
     chunks += record.chunks_made.back();
   } while (options.timed && total < options.seconds);
-  fill_in(job, record);
+  fill_in_pictures(job, record);
+  fill_in_workers(job, record);
   options.report(record);
   while (options.keep_busy && options.keep_busy()) job.frame();
 }

@@ -4,25 +4,27 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "experiments/config.h"
 #include "results/record.h"
+#include "schedulers/placement.h"
+#include "schedulers/topology.h"
 
 namespace raysweep {
 
-/// Counts are of what this process may use (its affinity), by hwloc.
 struct Machine {
-  std::string host, cpu, kernel, compiler;
-  int packages = 0, cores = 0, pus = 0;
-  std::optional<double> quota;       // processors that the control group allows; none: unlimited or unknown
-  std::vector<std::string> outline;  // the topology, one object a line, indented
+  std::string host, kernel, compiler;
+  Topology topology;            // what this process may use of it
+  std::optional<double> quota;  // processors that the control group allows; none: unlimited or unknown
 
-  [[nodiscard]] MachineSize size() const { return {cores, pus}; }
+  [[nodiscard]] MachineSize size() const {
+    return {topology.cores(), topology.processors(), topology.processor_numbers(),
+            hyper_threading_placements(topology)};
+  }
 };
 
-/// Throws WorkError if hwloc cannot read the topology. HWLOC_SYNTHETIC in the environment describes another
-/// machine.
+/// Throws TopologyError if hwloc cannot read the topology. HWLOC_SYNTHETIC in the environment describes
+/// another machine.
 [[nodiscard]] Machine detect_machine();
 
 /// The machine for a record, with its load average now.

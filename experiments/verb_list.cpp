@@ -4,7 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "experiments/item.h"
 #include "experiments/verbs.h"
+#include "schedulers/placement.h"
 #include "schedulers/registry.h"
 #include "tracer/scene/scenes.h"
 #include "tracer/settings.h"
@@ -20,14 +22,28 @@ nlohmann::json entry(std::string_view name, std::string_view summary, const std:
 nlohmann::json list_schedulers() {
   nlohmann::json list;
   for (const SchedulerInfo& s : all_schedulers())
-    list.push_back(entry(s.name, s.summary, why_unavailable(s.family)));
+    list.push_back(entry(s.name, s.summary, why_unavailable(s)));
   return list;
 }
 
 nlohmann::json list_runtimes() {
   nlohmann::json list;
-  for (const std::string_view family : module_families())
-    list.push_back(entry(family, runtime_of(family), why_unavailable(family)));
+  for (const RuntimeInfo& runtime : all_runtimes()) {
+    const ModuleReport& report = module_report(std::string(runtime.name));
+    const std::string summary = report.problem.empty()
+                                    ? fmt::format("{}, {}", report.version, report.library.file)
+                                    : std::string(runtime.needs);
+    list.push_back(entry(runtime.name, summary, report.problem));
+    list.back()["build_id"] = report.library.build_id;
+  }
+  return list;
+}
+
+/// Anything with a name and a summary.
+template <class List>
+nlohmann::json list_named(const List& items) {
+  nlohmann::json list;
+  for (const auto& item : items) list.push_back(entry(item.name, item.summary));
   return list;
 }
 
@@ -46,12 +62,6 @@ nlohmann::json list_scenes() {
             "a scene described in TOML: tracer/scene/README.md tells how; experiments/scenes has some"));
   list.push_back(
       entry("FILE", "a mesh: OBJ, PLY, STL, glTF and what else Assimp reads", why_no_mesh_files()));
-  return list;
-}
-
-nlohmann::json list_choices(std::span<const Choice> choices) {
-  nlohmann::json list;
-  for (const Choice& choice : choices) list.push_back(entry(choice.name, choice.summary));
   return list;
 }
 
@@ -88,13 +98,13 @@ nlohmann::json list_of(const std::string& what) {
   if (what == "runtimes") return list_runtimes();
   if (what == "scenes") return list_scenes();
   if (what == "modes") return list_modes();
-  if (what == "methods") return list_choices(methods());
-  if (what == "patterns") return list_choices(patterns());
-  if (what == "cores") return list_choices(cores());
-  if (what == "accels") return list_choices(accels());
-  if (what == "precisions") return list_choices(precisions());
-  if (what == "pins")
-    return nlohmann::json::array({entry("none", "the operating system places threads as it likes")});
+  if (what == "methods") return list_named(methods());
+  if (what == "patterns") return list_named(patterns());
+  if (what == "cores") return list_named(cores());
+  if (what == "accels") return list_named(accels());
+  if (what == "precisions") return list_named(precisions());
+  if (what == "pins") return list_named(pin_policies());
+  if (what == "orders") return list_named(item_orders());
   if (what == "isas")
     return nlohmann::json::array({entry("baseline", "what every processor of the architecture runs")});
   return list_experiments();
@@ -129,7 +139,7 @@ void add_list(CommandLine& line) {
   verb->add_option("what", what, "what to list")
       ->required()
       ->check(CLI::IsMember({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores",
-                             "accels", "precisions", "pins", "isas", "experiments"}));
+                             "accels", "precisions", "pins", "orders", "isas", "experiments"}));
   verb->callback([&line] { line.action = [&line] { return run(what, line.json); }; });
 }
 

@@ -9,11 +9,11 @@
 #include "experiments/cell_factors.h"
 #include "experiments/clock.h"
 #include "experiments/errors.h"
-#include "experiments/machine.h"
 #include "experiments/render_job.h"
 #include "experiments/render_report.h"
 #include "experiments/render_watch.h"
 #include "experiments/verbs.h"
+#include "schedulers/placement.h"
 #include "schedulers/registry.h"
 #include "tracer/film_exr.h"
 #include "tracer/whole_file.h"
@@ -65,16 +65,18 @@ ExrPicture read_reference(const RenderOptions& options, const Cell& cell) {
   }
 }
 
-Cell make_cell(const RenderOptions& options, int pus) {
+Cell make_cell(const RenderOptions& options, const Topology& topology) {
   Cell cell;
   cell.scheduler = "thread_dynamic";
   cell.item = "tiles";
-  cell.threads = std::min(pus, max_threads);
+  cell.threads = std::min(topology.processors(), max_threads);
   if (!options.mode.empty()) set_mode(cell, options.mode);
   for (const CellFactor& factor : cell_factors()) {
     const auto given = options.factors.find(std::string(factor.name));
     if (given != options.factors.end()) set_factor(cell, factor, given->second);
   }
+  if (const std::string problem = pin_problem(cell.pin, topology.processor_numbers()); !problem.empty())
+    throw RequestError(problem);
   collapse_ignored_factors(cell);
   resolve_lights(cell);
   return cell;
@@ -100,8 +102,9 @@ double render_frames(RenderJob& job, int frames, bool quiet) {
 
 int run(const RenderOptions& options, bool json) {
   check_out(options.out);
-  const int pus = detect_machine().pus;
-  const Cell cell = make_cell(options, pus);
+  const Topology topology = this_topology();
+  const int pus = topology.processors();
+  const Cell cell = make_cell(options, topology);
   check_size(options, cell);
   std::optional<ExrPicture> reference;
   if (!options.reference.empty()) reference = read_reference(options, cell);

@@ -159,6 +159,11 @@ int run(const RunOptions& options, bool as_json) {
     throw RequestError("--resume goes on with the run in --out: name its folder");
   const Machine machine = detect_machine();
   std::vector<Config> configs = read_configs(options, machine);
+  std::erase_if(configs, [](const Config& config) {
+    if (!config.not_here.empty())
+      fmt::print(stderr, "{}: not run: {}.\n", config.experiment, config.not_here);
+    return !config.not_here.empty();
+  });
   if (options.dry_run) {
     for (const Config& config : configs) print_plan(config, make_plan(config, machine.size()));
     return exit_done;

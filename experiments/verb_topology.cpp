@@ -1,30 +1,97 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "experiments/errors.h"
 #include "experiments/machine.h"
 #include "experiments/verbs.h"
+#include "results/table.h"
 
 namespace raysweep {
 
 namespace {
 
-int run(int threads, bool json) {
+struct TopologyOptions {
+  int threads = 0;
+  std::string pin = "none";
+};
+
+/// Thread → processor, with what it shares; the earlier threads that are on the same core or processor count.
+struct Place {
+  int thread;
+  HardwareThread on;
+  int on_processor_before, on_core_before;
+};
+
+std::vector<Place> places(const Topology& topology, const std::vector<int>& placement) {
+  std::vector<Place> list;
+  for (size_t t = 0; t < placement.size(); ++t) {
+    Place place{static_cast<int>(t), *topology.find(placement[t]), 0, 0};
+    for (const Place& earlier : list) {
+      place.on_processor_before += earlier.on.processor == place.on.processor;
+      place.on_core_before += earlier.on.core == place.on.core;
+    }
+    list.push_back(place);
+  }
+  return list;
+}
+
+nlohmann::json to_json(const std::vector<Place>& list) {
+  auto json = nlohmann::json::array();
+  for (const Place& p : list) {
+    json.push_back({{"thread", p.thread},
+                    {"processor", p.on.processor},
+                    {"core", p.on.core},
+                    {"hardware_thread", p.on.sibling},
+                    {"package", p.on.package},
+                    {"cache", p.on.cache}});
+  }
+  return json;
+}
+
+Table table_of(const std::vector<Place>& list, const TopologyOptions& options) {
+  Table table;
+  table.caption = fmt::format("{} threads, pin {}", options.threads, options.pin);
+  for (const char* title : {"thread", "processor", "core", "hardware thread", "cache", "package"})
+    table.columns.push_back({title});
+  table.columns.push_back({"shares", false});
+  for (const Place& p : list) {
+    std::vector<std::string> cells;
+    for (const int v : {p.thread, p.on.processor, p.on.core, p.on.sibling, p.on.cache, p.on.package})
+      cells.push_back(v < 0 ? "–" : std::to_string(v));
+    cells.push_back(p.on_processor_before > 0 ? "its processor (oversubscribed)"
+                    : p.on_core_before > 0    ? "its core (hyper-threading)"
+                                              : "");
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+int run(const TopologyOptions& options, bool as_json) {
   const Machine machine = detect_machine();
-  if (json) {
-    fmt::print("{}\n", to_json(machine).dump(1));
+  const Topology& t = machine.topology;
+  if (const std::string problem = pin_problem(options.pin, t.processor_numbers()); !problem.empty())
+    throw RequestError(problem);
+  const std::vector<Place> list = places(t, place(options.pin, options.threads, t));
+  if (as_json) {
+    nlohmann::json json = to_json(machine);
+    if (options.threads > 0) json["placement"] = {{"pin", options.pin}, {"threads", to_json(list)}};
+    fmt::print("{}\n", json.dump(1));
     return exit_done;
   }
-  fmt::print("{}: {}, {}\n", machine.host, machine.cpu, machine.kernel);
-  fmt::print("allowed here: {} packages, {} cores, {} processors{}\n\n", machine.packages, machine.cores,
-             machine.pus, machine.pus > machine.cores ? "" : "; no hyper-threading");
-  for (const std::string& object : machine.outline) fmt::print("{}\n", object);
-  if (threads > 0) {
-    fmt::print("\n{} threads, pin none: the operating system places them as it likes{}\n", threads,
-               threads > machine.pus ? fmt::format("; {} more than there are processors (oversubscribed)",
-                                                   threads - machine.pus)
-                                     : "");
+  fmt::print("{}: {}, {}\n", machine.host, t.cpu, machine.kernel);
+  fmt::print("allowed here: {} packages, {} cores, {} processors{}\n\n", t.packages(), t.cores(),
+             t.processors(), t.has_smt() ? "" : "; no hyper-threading");
+  for (const std::string& object : t.outline) fmt::print("{}\n", object);
+  if (options.threads == 0) return exit_done;
+  if (list.empty()) {
+    fmt::print("\n{} threads, pin none: the operating system places them as it likes\n", options.threads);
+  } else {
+    fmt::print("\n{}", to_text(table_of(list, options)));
+  }
+  if (options.threads > t.processors()) {
+    fmt::print("{} more than there are processors (oversubscribed)\n", options.threads - t.processors());
   }
   return exit_done;
 }
@@ -34,11 +101,10 @@ int run(int threads, bool json) {
 void add_topology(CommandLine& line) {
   CLI::App* const verb =
       add_verb(line, "topology", "the machine as hwloc sees it, and where each thread would go");
-  static int threads = 0;
-  static std::string pin = "none";
-  verb->add_option("--threads", threads, "so many threads")->check(CLI::Range(1, 1024));
-  verb->add_option("--pin", pin, "placed by this policy")->check(CLI::IsMember({"none"}));
-  verb->callback([&line] { line.action = [&line] { return run(threads, line.json); }; });
+  static TopologyOptions options;
+  verb->add_option("--threads", options.threads, "so many threads")->check(CLI::Range(1, 1024));
+  verb->add_option("--pin", options.pin, "placed by this policy, see `raysweep list pins`");
+  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

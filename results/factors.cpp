@@ -26,8 +26,13 @@ const std::vector<FactorText>& factor_texts() {
       {"accel", [](const Record& r) { return r.accel; }, false},
       {"leaf", [](const Record& r) { return std::to_string(r.leaf); }, true},
       {"item", [](const Record& r) { return r.item; }, false},
+      {"order", [](const Record& r) { return r.order; }, false, "scanline"},
+      {"wait_policy", [](const Record& r) { return r.wait_policy; }, false, "default"},
+      {"spin_count", [](const Record& r) { return r.spin_count; }, true, "default"},
+      {"environment", [](const Record& r) { return r.environment; }, false, ""},
       {"pin", [](const Record& r) { return r.pin; }, false},
       {"scheduler", [](const Record& r) { return r.scheduler; }, false},
+      {"runtime", [](const Record& r) { return r.runtime; }, false},
       {"chunk", [](const Record& r) { return r.chunk; }, true},
       {"threads", [](const Record& r) { return std::to_string(r.threads); }, true},
   };

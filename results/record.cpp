@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <set>
 #include <sstream>
 
 namespace raysweep {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRecord, items, chunks, cpu)
+// Workers of schemas 1 and 2 have no times.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(WorkerRecord, items, chunks, busy_seconds, scheduling_seconds,
+                                                idle_seconds, cpu, migrations)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ItemSeconds, sum, max)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RayRecord, primary, shadow, reflected, refracted)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeftOutRecord, by_depth, by_tolerance, by_branches, bound, lost_media)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MachineRecord, host, cpu, pus, cores, load)
@@ -46,7 +49,34 @@ void for_each_field(Each&& each) {
   RAYSWEEP_FIELD(warmup_seconds), RAYSWEEP_FIELD(build_seconds), RAYSWEEP_FIELD(rays);
   RAYSWEEP_FIELD(image_hash), RAYSWEEP_FIELD(workers);
   RAYSWEEP_FIELD(pixel_tolerance), RAYSWEEP_FIELD(branches), RAYSWEEP_FIELD(left_out);
+  RAYSWEEP_FIELD(order), RAYSWEEP_FIELD(wait_policy), RAYSWEEP_FIELD(spin_count), RAYSWEEP_FIELD(environment);
+  RAYSWEEP_FIELD(library), RAYSWEEP_FIELD(cores_seen), RAYSWEEP_FIELD(processors_seen);
+  RAYSWEEP_FIELD(chunk_sizes), RAYSWEEP_FIELD(item_seconds), RAYSWEEP_FIELD(empty_region_seconds);
+  RAYSWEEP_FIELD(log_share);
 #undef RAYSWEEP_FIELD
+}
+
+int first_schema_of(const std::string& field) {
+  static const std::map<std::string, int> later{
+      {"pixel_tolerance", 2}, {"branches", 2},       {"left_out", 2},     {"order", 3},
+      {"wait_policy", 3},     {"spin_count", 3},     {"environment", 3},  {"library", 3},
+      {"cores_seen", 3},      {"chunk_sizes", 3},    {"item_seconds", 3}, {"empty_region_seconds", 3},
+      {"log_share", 3},       {"processors_seen", 3}};
+  const auto found = later.find(field);
+  return found == later.end() ? 1 : found->second;
+}
+
+/// Before schema 3 `runtime` told the library, there was one OpenMP runtime to choose, and the serial
+/// scheduler had a pin.
+void take_over_runtime(Record& record) {
+  if (record.scheduler == "serial") {
+    for (std::string* unused : {&record.pin, &record.wait_policy, &record.spin_count, &record.environment})
+      unused->assign(1, '-');
+  }
+  record.library = record.runtime;
+  record.runtime = !record.scheduler.starts_with("omp_")                 ? "-"
+                   : record.library.find("libgomp") != std::string::npos ? "libgomp"
+                                                                         : "libomp";
 }
 
 }  // namespace
@@ -77,11 +107,11 @@ Record record_from_json(const nlohmann::json& json) {
                                   oldest_record_schema, record_schema));
   }
   Record record;
-  static const std::set<std::string_view> since_2{"pixel_tolerance", "branches", "left_out"};
   for_each_field([&](const char* name, auto field) {
-    if (schema == 1 && since_2.contains(name)) return;
+    if (schema < first_schema_of(name)) return;
     json.at(name).get_to(record.*field);
   });
+  if (schema < 3) take_over_runtime(record);
   record.frame_seconds = frames_from_json(json.at("frame_seconds"));
   return record;
 }

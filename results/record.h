@@ -7,17 +7,33 @@
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raysweep {
 
-/// Schema 2 adds pixel_tolerance, branches and left_out to 1, which is still read.
-inline constexpr int record_schema = 2, oldest_record_schema = 1;
+/// Older schemas are still read. 2 adds pixel_tolerance, branches and left_out; 3 what schedulers did: order,
+/// wait_policy, spin_count, environment, library (which `runtime` held before), cores_seen, chunk_sizes,
+/// item_seconds, empty_region_seconds, log_share, and the workers' times.
+inline constexpr int record_schema = 3, oldest_record_schema = 1;
 
-/// What one worker did during the timed frames.
+/// What one worker did during the timed frames. The times add up to those of the frames; they and the
+/// migrations are 0 where the log was off.
 struct WorkerRecord {
   uint64_t items = 0, chunks = 0;
-  int cpu = -1;  // where its first chunk ran
+  double busy_seconds = 0;        // inside items
+  double scheduling_seconds = 0;  // before the first chunk, and between chunks
+  double idle_seconds = 0;        // after the last chunk
+  int cpu = -1;                   // where its first chunk ran
+  uint64_t migrations = 0;        // chunks that began on another processor than the one before
+};
+
+/// How many chunks (second) of how many items (first), in all timed frames.
+using ChunkSizes = std::vector<std::pair<uint64_t, uint64_t>>;
+
+/// What the items of one frame cost on one thread: the bounds of every schedule. 0 where it was not measured.
+struct ItemSeconds {
+  double sum = 0, max = 0;
 };
 
 /// Rays of one frame, by kind.
@@ -52,14 +68,21 @@ struct Record {
   MachineRecord machine;
 
   std::string scene, mode, pattern, accel, core, isa, method, precision, scheduler, runtime, item, chunk, pin;
+  std::string order = "scanline", wait_policy = "default", spin_count = "default", environment;
+  std::string library;  // what ran the scheduler: version, file, fingerprint
   int width = 0, height = 0, subpixels = 0, depth = 0, branches = 1024, lights = 0, leaf = 0;
   double pixel_tolerance = 0;
   int threads = 0, threads_seen = 0;
-  int processes = 1;  // more than 1: co-running copies of one launch
+  int cores_seen = 0, processors_seen = 0;  // on which workers ran; 0: unknown
+  int processes = 1;                        // more than 1: co-running copies of one launch
 
   std::vector<std::vector<double>> frame_seconds;  // by process
   std::vector<double> warmup_seconds;
   std::vector<uint64_t> chunks_made;  // of each timed frame
+  ChunkSizes chunk_sizes;
+  ItemSeconds item_seconds;
+  double empty_region_seconds = 0;  // a run of one empty item a thread; median
+  double log_share = 0;             // of a frame that logging the workers' times cost; 0: it was off
   double build_seconds = 0;
   RayRecord rays;
   LeftOutRecord left_out;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "results/factors.h"
 
@@ -14,16 +15,20 @@ namespace {
 /// Valid launches of one cell, by round.
 using Rounds = std::map<int, double>;
 
+/// Factors that the serial scheduler has no use for.
+const std::set<std::string> only_of_threads{"runtime", "pin", "wait_policy", "spin_count", "environment"};
+
 /// The factors of `r` as one text, with another scheduler, thread count and chunk: names the cell to compare
 /// with.
 std::string base_key(const Record& r, const std::string& scheduler, int threads, const std::string& chunk,
                      int processes) {
   std::string key = std::to_string(processes);
   for (const FactorText& factor : factor_texts()) {
-    key += "|" + (factor.name == "scheduler" ? scheduler
-                  : factor.name == "threads" ? std::to_string(threads)
-                  : factor.name == "chunk"   ? chunk
-                                             : factor.text(r));
+    key += "|" + (factor.name == "scheduler"                                       ? scheduler
+                  : factor.name == "threads"                                       ? std::to_string(threads)
+                  : factor.name == "chunk"                                         ? chunk
+                  : scheduler == "serial" && only_of_threads.contains(factor.name) ? "-"
+                                                                                   : factor.text(r));
   }
   return key;
 }

@@ -7,27 +7,38 @@
 #include <string_view>
 #include <vector>
 
+#include "schedulers/options.h"
 #include "schedulers/scheduler.h"
 
 namespace raysweep {
 
+/// Makes a scheduler with its workers; they may be cold.
+using MakeScheduler = std::unique_ptr<Scheduler> (*)(const SchedulerOptions& options);
+
 /// One scheduler of a module.
 struct ModuleEntry {
   std::string_view name;
-  std::unique_ptr<Scheduler> (*make)(int threads);
+  MakeScheduler make;
+  std::string_view problem{};  // why it cannot be made, as "is …"; then `make` is null
+};
+
+/// A shared library.
+struct Library {
+  std::string file, build_id;  // the linker's fingerprint, in hexadecimal digits: versions may share a name
 };
 
 /// What a module offers.
 struct Module {
   std::vector<ModuleEntry> schedulers;
-  std::string runtime;  // library, version, file
+  std::string version;  // of the runtime, as far as it tells one
+  Library library;      // of the runtime that this process really uses
 };
 
 /// The only symbol that a module exports: `extern "C" const Module* raysweep_module()`.
 using ModuleFunction = const Module* (*)();
 inline constexpr const char* module_symbol = "raysweep_module";
 
-/// The file of the shared library that holds the code at `address`, by dladdr; empty if there is none.
-[[nodiscard]] std::string library_of(const void* address);
+/// The shared library that holds the code at `address`, by dladdr; empty if there is none.
+[[nodiscard]] Library library_of(const void* address);
 
 }  // namespace raysweep

@@ -1,26 +1,23 @@
 #include "schedulers/registry.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <filesystem>
-#include <map>
-#include <mutex>
+#include <atomic>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include "schedulers/builtin.h"
-#include "schedulers/module.h"
 
 namespace raysweep {
 
 namespace {
 
-using Make = std::unique_ptr<Scheduler> (*)(int threads);
-
 struct Entry {
   SchedulerInfo info;
-  Make make;  // null: asked from the family's module
+  MakeScheduler make;  // null: asked from a module
 };
 
 constexpr std::array entries{
@@ -29,14 +26,25 @@ constexpr std::array entries{
     Entry{{"thread_cyclic", "std", "std::thread, chunks dealt round robin", true, true}, make_thread_cyclic},
     Entry{{"thread_dynamic", "std", "std::thread, next chunk from a shared counter", true, true},
           make_thread_dynamic},
+    Entry{{"thread_guided", "std", "std::thread, shrinking chunks from a shared counter, chunk = smallest",
+           true, true},
+          make_thread_guided},
     Entry{{"thread_chunks", "std", "std::thread, threads x chunk equal parts in a queue (Morozov 2011)", true,
            true},
           make_thread_chunks},
     Entry{{"thread_spawn", "std", "std::thread, created anew for every frame, one block each"},
           make_thread_spawn},
+    Entry{
+        {"thread_stealing", "std", "std::thread, a deque each, random victims, chunk = smallest", true, true},
+        make_thread_stealing},
     Entry{{"omp_static", "openmp", "OpenMP, schedule(static): one contiguous block per thread"}, nullptr},
+    Entry{{"omp_static_chunk", "openmp", "OpenMP, schedule(static, chunk): chunks dealt round robin", true,
+           true},
+          nullptr},
     Entry{{"omp_dynamic", "openmp", "OpenMP, schedule(dynamic, chunk)", true, true}, nullptr},
     Entry{{"omp_guided", "openmp", "OpenMP, schedule(guided, chunk): shrinking chunks", true, true}, nullptr},
+    Entry{{"omp_auto", "openmp", "OpenMP, schedule(auto): the runtime's choice"}, nullptr},
+    Entry{{"omp_taskloop", "openmp", "OpenMP, taskloop, a task for each chunk", true, true}, nullptr},
     Entry{{"tbb_auto", "tbb", "TBB parallel_for, auto_partitioner, chunk = grain", true, true}, nullptr},
     Entry{{"tbb_simple", "tbb", "TBB parallel_for, simple_partitioner, chunk = grain", true, true}, nullptr},
     Entry{{"tbb_static", "tbb", "TBB parallel_for, static_partitioner, chunk = grain", true, true}, nullptr},
@@ -44,6 +52,11 @@ constexpr std::array entries{
     Entry{{"tbb_affinity", "tbb", "TBB parallel_for, affinity_partitioner kept across frames, chunk = grain",
            true, true, 3},
           nullptr},
+    Entry{{"tbb_range2d", "tbb", "TBB parallel_for over a grid of tiles, simple_partitioner, chunk = grain",
+           true, true},
+          nullptr},
+    Entry{{"tbb_task_group", "tbb", "TBB task_group, a task for each chunk", true, true}, nullptr},
+    Entry{{"stdpar", "tbb", "std::for_each(std::execution::par): chunks are the library's choice"}, nullptr},
 };
 
 constexpr std::array<SchedulerInfo, entries.size()> infos = [] {
@@ -52,51 +65,62 @@ constexpr std::array<SchedulerInfo, entries.size()> infos = [] {
   return list;
 }();
 
-constexpr std::array<std::string_view, 2> families{"openmp", "tbb"};
-
-struct LoadedModule {
-  const Module* module = nullptr;
-  std::string problem;
-};
-
-LoadedModule load_module(std::string_view family) {
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "modules";
-  const std::string file = (folder / fmt::format("raysweep_{}.so", family)).string();
-  if (!std::filesystem::exists(file)) {
-    return {nullptr,
-            fmt::format("not built: {} was not found when raysweep was configured",
-                        family == "tbb" ? "TBB (libtbb-dev)" : "OpenMP (a compiler's libgomp or libomp)")};
-  }
-  void* const library =
-      dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded: runtimes keep threads of their own
-  if (!library) return {nullptr, fmt::format("cannot be loaded: {}", dlerror())};
-  const auto function = reinterpret_cast<ModuleFunction>(dlsym(library, module_symbol));
-  if (!function) return {nullptr, fmt::format("{} is no raysweep module", file)};
-  return {function(), {}};
-}
-
-const LoadedModule& module_of(std::string_view family) {
-  static std::mutex mutex;
-  static std::map<std::string_view, LoadedModule> loaded;
-  const std::scoped_lock lock(mutex);
-  const auto known = loaded.find(family);
-  return known != loaded.end() ? known->second : loaded.emplace(family, load_module(family)).first->second;
-}
-
-bool is_module(std::string_view family) { return std::ranges::find(families, family) != families.end(); }
-
-Make find_make(const Entry& entry) {
+MakeScheduler find_make(const Entry& entry, const SchedulerOptions& options) {
   if (entry.make) return entry.make;
-  const LoadedModule& loaded = module_of(entry.info.family);
-  if (!loaded.module)
-    throw SchedulerError(fmt::format("scheduler \"{}\" is {}", entry.info.name, loaded.problem));
-  for (const ModuleEntry& offered : loaded.module->schedulers) {
-    if (offered.name == entry.info.name) return offered.make;
+  const std::string runtime = options.runtime.empty() ? default_runtime(entry.info) : options.runtime;
+  for (const ModuleEntry& offered : load_module(runtime, options).schedulers) {
+    if (offered.name != entry.info.name) continue;
+    if (!offered.make)
+      throw SchedulerError(fmt::format("scheduler \"{}\" is {}", offered.name, offered.problem));
+    return offered.make;
   }
   throw SchedulerError(fmt::format("scheduler \"{}\" is missing from its module", entry.info.name));
 }
 
+void check(std::string_view name, const SchedulerOptions& options) {
+  if (options.threads < min_threads || options.threads > max_threads) {
+    throw SchedulerError(
+        fmt::format("threads = {} is out of range: {} to {}", options.threads, min_threads, max_threads));
+  }
+  const ProcessorSet allowed = allowed_processors();
+  for (const int processor : options.processors) {
+    if (std::ranges::binary_search(allowed, processor)) continue;
+    throw SchedulerError(fmt::format("{} cannot be bound to processor {}: allowed here: {}", name, processor,
+                                     fmt::join(allowed, ", ")));
+  }
+}
+
+/// Each worker tells its processors, and waits until all others are there, so that none can do another's
+/// part.
+class Muster {
+ public:
+  explicit Muster(int threads) : told_(static_cast<size_t>(threads)) {}
+
+  void tell(int worker) {
+    ProcessorSet& mine = told_[static_cast<size_t>(worker)];
+    if (!mine.empty()) return;
+    mine = allowed_processors();
+    there_.fetch_add(1);
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    while (there_.load() < told_.size() && std::chrono::steady_clock::now() < give_up)
+      std::this_thread::yield();
+  }
+  [[nodiscard]] std::vector<ProcessorSet> told() && { return std::move(told_); }
+
+ private:
+  std::vector<ProcessorSet> told_;
+  std::atomic<size_t> there_{0};
+};
+
 }  // namespace
+
+bool SchedulerInfo::uses_wait_policy() const {
+  return uses_threads && family != "tbb" && name != "thread_spawn";
+}
+
+bool uses_spin_count(const SchedulerInfo& info, std::string_view runtime) {
+  return info.uses_wait_policy() && runtime != "libomp";  // which counts milliseconds: KMP_BLOCKTIME
+}
 
 std::span<const SchedulerInfo> all_schedulers() { return infos; }
 
@@ -105,33 +129,48 @@ const SchedulerInfo* find_scheduler(std::string_view name) {
   return found == infos.end() ? nullptr : &*found;
 }
 
-std::span<const std::string_view> module_families() { return families; }
-
-std::string why_unavailable(std::string_view family) {
-  return is_module(family) ? module_of(family).problem : std::string();
+std::string default_runtime(const SchedulerInfo& info) {
+  std::string first;
+  for (const RuntimeInfo& runtime : all_runtimes()) {
+    if (runtime.family != info.family) continue;
+    if (module_report(std::string(runtime.name)).problem.empty()) return std::string(runtime.name);
+    if (first.empty()) first = runtime.name;
+  }
+  return first;
 }
 
-std::string runtime_of(std::string_view family) {
-  const Module* const module = is_module(family) ? module_of(family).module : nullptr;
-  return module ? module->runtime : std::string();
+std::string why_unavailable(const SchedulerInfo& info, const std::string& runtime) {
+  const std::string name = runtime.empty() ? default_runtime(info) : runtime;
+  if (name.empty()) return {};
+  const ModuleReport& report = module_report(name);
+  if (!report.problem.empty()) return report.problem;
+  const auto own = report.problems.find(std::string(info.name));
+  return own == report.problems.end() ? std::string() : own->second;
 }
 
-std::unique_ptr<Scheduler> make_scheduler(std::string_view name, int threads) {
+std::unique_ptr<Scheduler> make_scheduler(std::string_view name, const SchedulerOptions& options) {
   const auto entry = std::ranges::find(entries, name, [](const Entry& e) { return e.info.name; });
   if (entry == entries.end()) throw SchedulerError(fmt::format("unknown scheduler \"{}\"", name));
-  if (threads < min_threads || threads > max_threads) {
-    throw SchedulerError(
-        fmt::format("threads = {} is out of range: {} to {}", threads, min_threads, max_threads));
-  }
+  check(name, options);
   try {
-    auto scheduler = find_make(*entry)(threads);
-    WorkerLog log(threads);
+    auto scheduler = find_make(*entry, options)(options);
+    WorkerLog log(options.threads);
     scheduler->run(
-        {static_cast<size_t>(threads)}, {}, [](size_t, size_t, int) {}, log);  // runtimes make threads late
+        {static_cast<size_t>(options.threads)}, {}, [](size_t, size_t, int) {},
+        log);  // runtimes make threads late
     return scheduler;
   } catch (const std::system_error& error) {
-    throw SchedulerError(fmt::format("{} threads cannot be made: {}", threads, error.what()));
+    throw SchedulerError(fmt::format("{} threads cannot be made: {}", options.threads, error.what()));
   }
+}
+
+std::vector<ProcessorSet> processors_of_workers(Scheduler& scheduler, int threads) {
+  Muster muster(threads);
+  WorkerLog log(threads);
+  // Many items for each: splitting libraries may give a worker several at once.
+  scheduler.run(
+      {static_cast<size_t>(threads) * 16}, {}, [&](size_t, size_t, int worker) { muster.tell(worker); }, log);
+  return std::move(muster).told();
 }
 
 }  // namespace raysweep

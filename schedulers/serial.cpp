@@ -1,15 +1,25 @@
+#include "schedulers/binding.h"
 #include "schedulers/builtin.h"
+#include "schedulers/work.h"
 
 namespace raysweep {
 
 namespace {
 
 class Serial final : public Scheduler {
-  void run_items(const ItemSpace& items, const Chunk&, const Body& body) override { body(0, items.count, 0); }
+ public:
+  explicit Serial(const SchedulerOptions& options) : caller_(Binding(options.processors), 0) {}
+
+ private:
+  void run_items(const ItemSpace& items, const Chunk&, const Work& work) override { work(0, items.count, 0); }
+
+  BoundCaller caller_;
 };
 
 }  // namespace
 
-std::unique_ptr<Scheduler> make_serial(int) { return std::make_unique<Serial>(); }
+std::unique_ptr<Scheduler> make_serial(const SchedulerOptions& options) {
+  return std::make_unique<Serial>(options);
+}
 
 }  // namespace raysweep

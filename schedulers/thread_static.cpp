@@ -1,5 +1,6 @@
 #include "schedulers/builtin.h"
 #include "schedulers/thread_pool.h"
+#include "schedulers/work.h"
 
 namespace raysweep {
 
@@ -8,16 +9,16 @@ namespace {
 /// One contiguous block for each worker.
 class ThreadStatic final : public Scheduler {
  public:
-  explicit ThreadStatic(int threads) : pool_(threads) {}
+  explicit ThreadStatic(const SchedulerOptions& options) : pool_(options) {}
 
  private:
-  void run_items(const ItemSpace& items, const Chunk&, const Body& body) override {
+  void run_items(const ItemSpace& items, const Chunk&, const Work& work) override {
     const auto parts = static_cast<size_t>(pool_.threads());
     pool_.run([&](int worker) {
       const auto part = static_cast<size_t>(worker);
       const size_t begin = block_begin(items.count, part, parts),
                    end = block_begin(items.count, part + 1, parts);
-      if (begin < end) body(begin, end, worker);
+      if (begin < end) work(begin, end, worker);
     });
   }
 
@@ -26,6 +27,8 @@ class ThreadStatic final : public Scheduler {
 
 }  // namespace
 
-std::unique_ptr<Scheduler> make_thread_static(int threads) { return std::make_unique<ThreadStatic>(threads); }
+std::unique_ptr<Scheduler> make_thread_static(const SchedulerOptions& options) {
+  return std::make_unique<ThreadStatic>(options);
+}
 
 }  // namespace raysweep

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,21 @@ namespace raysweep {
 /// The hit id of a pixel whose centre sees no primitive.
 inline constexpr uint32_t no_hit_id = 0xffffffff;
 
+/// Memory that begins with a cache line.
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+  CacheLineAllocator() = default;
+  template <class U>
+  explicit CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  T* allocate(size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  void deallocate(T* memory, size_t) { ::operator delete(memory, alignment); }
+  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
+/// Its first pixel begins a cache line, so that tiles of 16 pixels' width share none where rows are a
+/// multiple of 16 pixels.
 class Film {
  public:
   Film(int width, int height)
@@ -38,7 +54,7 @@ class Film {
   }
 
   int width_, height_;
-  std::vector<Vec3f> pixels_;
+  std::vector<Vec3f, CacheLineAllocator<Vec3f>> pixels_;
 };
 
 /// A linear colour as 8-bit sRGB (IEC 61966-2-1), clamped to 0…1; NaN gives 0.

@@ -6,7 +6,6 @@
 
 #include "experiments/cell_factors.h"
 #include "experiments/errors.h"
-#include "experiments/item.h"
 
 namespace raysweep {
 namespace {
@@ -48,8 +47,13 @@ TEST(cell, every_factor_is_in_the_key) {
                                                         {"threads", "7"},
                                                         {"item", "tiles"},
                                                         {"chunk", "7"},
-                                                        {"scheduler", "thread_cyclic"}};
-  EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "pin has one value only";
+                                                        {"scheduler", "thread_cyclic"},
+                                                        {"order", "hilbert"},
+                                                        {"pin", "cores"},
+                                                        {"wait_policy", "passive"},
+                                                        {"spin_count", "7"},
+                                                        {"environment", "OMP_PLACES=cores"}};
+  EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "runtime is for OpenMP alone";
   for (const auto& [name, value] : others) {
     Cell a, b;
     a.scheduler = b.scheduler = "thread_dynamic";
@@ -98,10 +102,23 @@ TEST(factors, refuse_by_a_sentence_with_what_is_possible) {
   EXPECT_EQ(problem("pattern", "circle:0.7"),
             "circle:0.7: the radius must be above 0 and at most 0.5 pixels");
   EXPECT_EQ(problem("item", "tiles:0"),
-            "unknown item \"tiles:0\"; possible: rows, tiles, tiles:SIDE with a side from 1 to 1024");
+            "unknown item \"tiles:0\"; possible: pixels, rows, columns, tiles, tiles:SIDE with a side from 1 "
+            "to 1024");
   EXPECT_EQ(problem("chunk", "0"),
-            "chunk = 0 is not possible: a count from 1 to 16777216, or \"COUNT/thread\"");
-  EXPECT_EQ(problem("pin", "cores"), "unknown pin \"cores\"; built here: none");
+            "chunk = 0 is not possible: a count from 1 to 16777216, \"COUNT/thread\", or \"COUNTB\" for "
+            "bytes of film");
+  EXPECT_EQ(problem("pin", "spread"),
+            "unknown pin \"spread\"; possible: none, cores, compact, scatter, one_core, or a list of "
+            "processors such "
+            "as 0,2,4-7");
+  EXPECT_EQ(problem("runtime", "gomp"), "unknown runtime \"gomp\"; possible: default, libgomp, libomp");
+  EXPECT_EQ(problem("order", "random"), "unknown order \"random\"; possible: scanline, morton, hilbert, lpt");
+  EXPECT_EQ(problem("spin_count", "-1"),
+            "spin_count = -1 is out of range: a whole number from 0 to 1000000000 is possible");
+  EXPECT_EQ(problem("environment", "PATH=/tmp"),
+            "environment = \"PATH=/tmp\" is not possible: NAME=VALUE, separated by spaces, with names that "
+            "begin with "
+            "OMP_, GOMP_, KMP_, TBB_");
   EXPECT_TRUE(problem("scheduler", "tbbb")
                   .starts_with("unknown scheduler \"tbbb\"; built here: serial, thread_static"));
 }
@@ -120,14 +137,6 @@ TEST(modes, are_the_published_ones) {
   EXPECT_EQ(cell.settings.subpixels, 3);
   EXPECT_EQ(cell.settings.depth, 4);
   EXPECT_EQ(cell.lights, 2);
-}
-
-TEST(item, shapes_are_read_whole) {
-  EXPECT_EQ(parse_item("rows")->kind, ItemShape::Kind::rows);
-  EXPECT_EQ(parse_item("tiles")->side, 16);
-  EXPECT_EQ(parse_item("tiles:8")->side, 8);
-  for (const char* bad : {"", "row", "tiles:", "tiles:x", "tiles:8x", "tiles:-1", "tiles:1025"})
-    EXPECT_FALSE(parse_item(bad)) << bad;
 }
 
 }  // namespace

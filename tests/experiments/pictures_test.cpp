@@ -8,9 +8,9 @@
 namespace raysweep {
 namespace {
 
-class Pictures : public testing::TestWithParam<std::string> {};
+class Pictures : public testing::TestWithParam<Tested> {};
 INSTANTIATE_TEST_SUITE_P(registry, Pictures, testing::ValuesIn(available_schedulers()),
-                         [](const auto& i) { return i.param; });
+                         [](const auto& i) { return i.param.name(); });
 
 Cell small_cell() {
   Cell cell;
@@ -19,6 +19,11 @@ Cell small_cell() {
   cell.settings.subpixels = 2;
   cell.lights = 2;
   return cell;
+}
+
+void choose(Cell& cell, const Tested& tested) {
+  cell.scheduler = tested.scheduler;
+  cell.runtime = tested.runtime.empty() ? "default" : tested.runtime;
 }
 
 std::string picture(const Cell& cell, RayCounts* rays = nullptr) {
@@ -36,10 +41,10 @@ TEST_P(Pictures, one_hash_for_all_threads_chunks_and_items) {
       cell.settings.precision = precision.name;
       RayCounts expected_rays;
       const std::string expected = picture(cell, &expected_rays);
-      cell.scheduler = GetParam();
+      choose(cell, GetParam());
       for (const int threads : {1, 2, 3, 7}) {
         for (const int chunk : {1, 16}) {
-          for (const char* item : {"rows", "tiles", "tiles:7"}) {
+          for (const char* item : {"rows", "columns", "tiles:7"}) {
             cell.threads = threads;
             cell.chunk.value = chunk;
             cell.item = item;
@@ -54,9 +59,26 @@ TEST_P(Pictures, one_hash_for_all_threads_chunks_and_items) {
   }
 }
 
+TEST_P(Pictures, one_hash_for_all_orders) {
+  Cell cell = small_cell();
+  cell.item = "tiles:7";
+  const std::string expected = picture(cell);
+  choose(cell, GetParam());
+  cell.threads = 3;
+  for (const OrderInfo& order : item_orders()) {
+    cell.order = order.name;
+    RenderJob job(cell);
+    for (int frame = 0; frame < 2; ++frame) {
+      job.frame();
+      EXPECT_EQ(job.film().hash(), expected) << order.name;
+      job.reset();
+    }
+  }
+}
+
 TEST_P(Pictures, a_second_frame_is_the_first_one) {
   Cell cell = small_cell();
-  cell.scheduler = GetParam();
+  choose(cell, GetParam());
   cell.threads = 3;
   collapse_ignored_factors(cell);
   RenderJob job(cell);
@@ -79,7 +101,7 @@ TEST_P(Pictures, every_depth_to_1024_renders_on_the_workers_stacks) {
       cell.threads = 1;
       RayCounts rays;
       const std::string expected = picture(cell, &rays);
-      cell.scheduler = GetParam();
+      choose(cell, GetParam());
       cell.threads = 3;
       collapse_ignored_factors(cell);
       EXPECT_EQ(picture(cell), expected) << depth;

@@ -59,7 +59,7 @@ class RunnerTest : public testing::Test {
 
   RunnerTest() {
     std::filesystem::remove_all(path);
-    machine.pus = machine.cores = 2;
+    machine.topology = synthetic_topology("core:2 pu:1");
   }
   ~RunnerTest() override { std::filesystem::remove_all(path); }
 

@@ -1,4 +1,4 @@
-// The schedulers that can be made here, for tests over the registry.
+// The schedulers that can be made here, on each of their runtimes, for tests over the registry.
 #pragma once
 
 #include <string>
@@ -8,12 +8,25 @@
 
 namespace raysweep {
 
-inline std::vector<std::string> available_schedulers() {
-  std::vector<std::string> names;
+struct Tested {
+  std::string scheduler, runtime;  // runtime: empty where there is no choice
+  [[nodiscard]] std::string name() const { return scheduler + (runtime.empty() ? "" : "_on_" + runtime); }
+};
+
+inline std::vector<Tested> available_schedulers() {
+  std::vector<Tested> list;
   for (const SchedulerInfo& info : all_schedulers()) {
-    if (why_unavailable(info.family).empty()) names.emplace_back(info.name);
+    if (!info.uses_runtime()) {
+      if (why_unavailable(info).empty()) list.push_back({std::string(info.name), ""});
+      continue;
+    }
+    for (const RuntimeInfo& runtime : all_runtimes()) {
+      const std::string name(runtime.name);
+      if (runtime.family == info.family && why_unavailable(info, name).empty())
+        list.push_back({std::string(info.name), name});
+    }
   }
-  return names;
+  return list;
 }
 
 }  // namespace raysweep

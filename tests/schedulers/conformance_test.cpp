@@ -13,20 +13,31 @@
 namespace raysweep {
 namespace {
 
-class Conformance : public testing::TestWithParam<std::string> {
+class Conformance : public testing::TestWithParam<Tested> {
  public:
-  [[nodiscard]] const SchedulerInfo& info() const { return *find_scheduler(GetParam()); }
+  [[nodiscard]] const SchedulerInfo& info() const { return *find_scheduler(GetParam().scheduler); }
+  [[nodiscard]] std::unique_ptr<Scheduler> make(int threads) const {
+    return make_scheduler(GetParam().scheduler, {.threads = threads, .runtime = GetParam().runtime});
+  }
+  /// CTest gives each test a process of its own; whoever runs them all in one gets one OpenMP runtime.
+  void SetUp() override {
+    static std::string openmp;
+    if (GetParam().runtime.empty()) return;
+    if (openmp.empty()) openmp = GetParam().runtime;
+    if (openmp != GetParam().runtime) GTEST_SKIP() << openmp << " is in this process already";
+  }
   [[nodiscard]] int workers(int threads) const { return info().uses_threads ? threads : 1; }
 };
 INSTANTIATE_TEST_SUITE_P(registry, Conformance, testing::ValuesIn(available_schedulers()),
-                         [](const auto& i) { return i.param; });
+                         [](const auto& i) { return i.param.name(); });
 
-const std::vector<Chunk> chunks{{1, false},    {3, false},         {7, false}, {16, false},
-                                {1001, false}, {max_chunk, false}, {1, true},  {5, true}};
+constexpr Chunk::Unit per_thread = Chunk::Unit::per_thread, bytes = Chunk::Unit::bytes;
+const std::vector<Chunk> chunks{
+    {1}, {3}, {7}, {16}, {1001}, {max_chunk}, {1, per_thread}, {5, per_thread}, {100, bytes}};
 
 TEST_P(Conformance, every_item_runs_exactly_once) {
   for (const int threads : {1, 2, 3, 4}) {
-    const auto scheduler = make_scheduler(GetParam(), threads);
+    const auto scheduler = make(threads);
     for (const size_t count : {0, 1, 7, 1000}) {
       for (const Chunk& chunk : chunks) {
         std::vector<std::atomic<int>> runs(count);
@@ -52,7 +63,7 @@ TEST_P(Conformance, every_item_runs_exactly_once) {
 
 TEST_P(Conformance, no_worker_runs_two_bodies_at_once) {
   constexpr int threads = 4;
-  const auto scheduler = make_scheduler(GetParam(), threads);
+  const auto scheduler = make(threads);
   std::vector<std::atomic<int>> inside(threads);
   std::atomic<bool> overlap{false};
   WorkerLog log(threads);
@@ -69,7 +80,7 @@ TEST_P(Conformance, no_worker_runs_two_bodies_at_once) {
 /// really there.
 TEST_P(Conformance, asked_threads_are_seen_threads) {
   for (const int threads : {1, 2, 3, 4}) {
-    const auto scheduler = make_scheduler(GetParam(), threads);
+    const auto scheduler = make(threads);
     const auto wanted = static_cast<size_t>(workers(threads));
     std::mutex mutex;
     std::set<std::thread::id> ids;
@@ -108,7 +119,7 @@ struct Inside {
 
 TEST_P(Conformance, the_first_error_reaches_the_caller_after_all_stopped_and_the_next_run_works) {
   for (const int threads : {1, 2, 4}) {
-    const auto scheduler = make_scheduler(GetParam(), threads);
+    const auto scheduler = make(threads);
     for (const size_t bad : {0, 11, 19}) {
       WorkerLog log(threads);
       std::atomic<int> running{0};
@@ -134,7 +145,7 @@ TEST_P(Conformance, the_first_error_reaches_the_caller_after_all_stopped_and_the
 }
 
 TEST_P(Conformance, errors_from_all_items_at_once_are_one_error) {
-  const auto scheduler = make_scheduler(GetParam(), 4);
+  const auto scheduler = make(4);
   for (int round = 0; round < 50; ++round) {
     WorkerLog log(4);
     EXPECT_THROW(scheduler->run(
@@ -145,13 +156,13 @@ TEST_P(Conformance, errors_from_all_items_at_once_are_one_error) {
 
 TEST_P(Conformance, chunks_are_as_large_as_asked_where_the_scheduler_decides_them) {
   const std::set<std::string> exact{"thread_cyclic", "thread_dynamic", "omp_dynamic"};
-  if (!exact.contains(GetParam())) return;
-  const auto scheduler = make_scheduler(GetParam(), 3);
+  if (!exact.contains(GetParam().scheduler)) return;
+  const auto scheduler = make(3);
   std::mutex mutex;
   std::multiset<size_t> sizes;
   WorkerLog log(3);
   scheduler->run(
-      {100}, {16, false},
+      {100}, {16},
       [&](size_t begin, size_t end, int) {
         const std::scoped_lock lock(mutex);
         sizes.insert(end - begin);
@@ -161,22 +172,13 @@ TEST_P(Conformance, chunks_are_as_large_as_asked_where_the_scheduler_decides_the
   EXPECT_EQ(sizes.count(4), 1u);
 }
 
-TEST(worker_log, calls_by_item_are_counted_as_runs_of_successive_items) {
-  WorkerLog log(1);
-  for (const size_t i : {0, 1, 2, 10, 11, 3}) log.ran(0, i, i + 1, true);
-  EXPECT_EQ(log.entries()[0].chunks, 3u);
-  WorkerLog single(1);
-  for (const size_t i : {0, 1, 2}) single.ran(0, i, i + 1, false);
-  EXPECT_EQ(single.entries()[0].chunks, 3u);
-}
-
 TEST(thread_chunks, makes_k_near_equal_chunks_for_each_thread) {
-  const auto scheduler = make_scheduler("thread_chunks", 3);
+  const auto scheduler = make_scheduler("thread_chunks", {.threads = 3});
   std::mutex mutex;
   std::multiset<size_t> sizes;
   WorkerLog log(3);
   scheduler->run(
-      {100}, {4, false},
+      {100}, {4},
       [&](size_t begin, size_t end, int) {
         const std::scoped_lock lock(mutex);
         sizes.insert(end - begin);
@@ -188,9 +190,14 @@ TEST(thread_chunks, makes_k_near_equal_chunks_for_each_thread) {
 }
 
 TEST(chunk, per_thread_chunks_are_at_most_threads_times_k) {
-  EXPECT_EQ((Chunk{2, true}.size(100, 4)), 13u);
-  EXPECT_EQ((Chunk{2, true}.size(3, 4)), 1u);
-  EXPECT_EQ((Chunk{5, false}.size(100, 4)), 5u);
+  EXPECT_EQ((Chunk{2, per_thread}.size({100}, 4)), 13u);
+  EXPECT_EQ((Chunk{2, per_thread}.size({3}, 4)), 1u);
+  EXPECT_EQ((Chunk{5}.size({100}, 4)), 5u);
+}
+
+TEST(chunk, bytes_are_as_many_items_as_write_them) {
+  EXPECT_EQ((Chunk{4096, bytes}.size({100, 0, 192}, 4)), 21u);
+  EXPECT_EQ((Chunk{100, bytes}.size({100, 0, 192}, 4)), 1u);
 }
 
 }  // namespace

@@ -1,0 +1,133 @@
+#include "schedulers/worker_log.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <array>
+
+namespace raysweep {
+
+namespace {
+
+using Sizes = std::vector<std::pair<size_t, size_t>>;
+
+void count(Sizes& sizes, size_t size, size_t times) {
+  const auto at = std::ranges::lower_bound(sizes, size, {}, &std::pair<size_t, size_t>::first);
+  if (at != sizes.end() && at->first == size) {
+    at->second += times;
+  } else {
+    sizes.insert(at, {size, times});
+  }
+}
+
+void remember(std::vector<int>& processors, int processor) {
+  const auto at = std::ranges::lower_bound(processors, processor);
+  if (at == processors.end() || *at != processor) processors.insert(at, processor);
+}
+
+}  // namespace
+
+WorkerLog::WorkerLog(int threads, LogDetail detail)
+    : detail_(detail), start_(std::chrono::steady_clock::now()), entries_(static_cast<size_t>(threads)) {}
+
+std::chrono::nanoseconds WorkerLog::now() const { return std::chrono::steady_clock::now() - start_; }
+
+void WorkerLog::begin_run() {
+  if (detail_ == LogDetail::counts) return;
+  const auto begin = now();
+  runs_.emplace_back(begin, begin);
+  for (WorkerEntry& entry : entries_) entry.last_end = begin;
+}
+
+void WorkerLog::end_run() {
+  if (detail_ == LogDetail::counts) return;
+  const auto end = now();
+  runs_.back().second = end;
+  for (WorkerEntry& entry : entries_) {
+    entry.idle += end - entry.last_end;
+    if (entry.open_size > 0) count(entry.chunk_sizes, entry.open_size, 1);
+    entry.open_size = 0;
+  }
+}
+
+void WorkerLog::note_processor(WorkerEntry& entry) {
+  const int processor = sched_getcpu();
+  if (processor == entry.last_processor) return;
+  if (entry.last_processor >= 0) entry.migrations++;
+  remember(entry.processors, processor);
+  entry.last_processor = processor;
+}
+
+void WorkerLog::begin_chunk(int worker, size_t first_item, size_t item_count) {
+  WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
+  entry.items += item_count;
+  entry.next_item = first_item + item_count;
+  if (entry.chunks++ == 0) entry.processor = sched_getcpu();
+  if (detail_ == LogDetail::counts) return;
+  note_processor(entry);
+  if (entry.open_size > 0) count(entry.chunk_sizes, entry.open_size, 1);
+  entry.open_size = item_count;
+  entry.begun = now();
+  entry.scheduling += entry.begun - entry.last_end;
+  if (detail_ == LogDetail::events)
+    entry.events.push_back({entry.begun, entry.begun, first_item, item_count, entry.last_processor});
+}
+
+void WorkerLog::begin_item(int worker, size_t item) {
+  WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
+  const bool goes_on = item != 0 && item == entry.next_item && entry.chunks > 0;
+  if (!goes_on) return begin_chunk(worker, item, 1);
+  entry.items++;
+  entry.next_item++;
+  if (detail_ == LogDetail::counts) return;
+  entry.open_size++;
+  entry.begun = now();
+  entry.scheduling += entry.begun - entry.last_end;
+  if (detail_ == LogDetail::events) entry.events.back().item_count++;
+}
+
+void WorkerLog::end_chunk(int worker) {
+  if (detail_ == LogDetail::counts) return;
+  WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
+  entry.last_end = now();
+  entry.busy += entry.last_end - entry.begun;
+  if (detail_ == LogDetail::events) entry.events.back().end = entry.last_end;
+}
+
+int WorkerLog::workers_seen() const {
+  return static_cast<int>(std::ranges::count_if(entries_, [](const WorkerEntry& e) { return e.items > 0; }));
+}
+
+size_t WorkerLog::chunks() const {
+  size_t sum = 0;
+  for (const WorkerEntry& entry : entries_) sum += entry.chunks;
+  return sum;
+}
+
+Sizes WorkerLog::chunk_sizes() const {
+  Sizes sum;
+  for (const WorkerEntry& entry : entries_) {
+    for (const auto& [size, times] : entry.chunk_sizes) count(sum, size, times);
+  }
+  return sum;
+}
+
+std::chrono::duration<double> log_cost_of_a_chunk(LogDetail detail) {
+  constexpr size_t chunks = 200;
+  std::array<std::chrono::steady_clock::duration, 25> batches;
+  for (auto& batch : batches) {
+    WorkerLog log(1, detail);
+    const auto begin = std::chrono::steady_clock::now();
+    log.begin_run();
+    for (size_t i = 0; i < chunks; ++i) {
+      log.begin_chunk(0, i, 1);
+      log.end_chunk(0);
+    }
+    log.end_run();
+    batch = std::chrono::steady_clock::now() - begin;
+  }
+  std::ranges::sort(batches);
+  return std::chrono::duration<double>(batches[batches.size() / 2]) / chunks;
+}
+
+}  // namespace raysweep
