@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "experiments/worker_report.h"
 #include "tracer/shade/medium_set.h"
 
 namespace raysweep {
@@ -84,6 +85,7 @@ nlohmann::json describe(const Cell& cell, const RenderJob& job, const RenderOutc
                       {"cell", cell.key()},
                       {"threads", cell.threads},
                       {"threads_seen", job.log().workers_seen()}};
+  if (job.log().detail() != LogDetail::counts) json["workers"] = workers_as_json(job.log());
   if (const auto& d = outcome.difference) {
     json["difference"] = {{"rmse", d->rmse},
                           {"relative_mse", d->relative_mse},
@@ -112,6 +114,7 @@ void print_outcome(const Cell& cell, const RenderJob& job, const RenderOutcome& 
         number_or_unknown(d->rmse), number_or_unknown(d->relative_mse), d->max_8bit, d->differing_pixels,
         d->non_finite, d->hits_known ? fmt::format(", {} see another primitive", d->differing_hits) : "");
   }
+  if (job.log().detail() != LogDetail::counts) fmt::print("{}", to_text(worker_table(job.log())));
   fmt::print("picture {}\n", job.film().hash());
 }
 

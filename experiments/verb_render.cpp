@@ -12,6 +12,7 @@
 #include "experiments/render_job.h"
 #include "experiments/render_report.h"
 #include "experiments/render_watch.h"
+#include "experiments/trace.h"
 #include "experiments/verbs.h"
 #include "schedulers/placement.h"
 #include "schedulers/registry.h"
@@ -23,26 +24,39 @@ namespace raysweep {
 namespace {
 
 struct RenderOptions {
-  std::string mode, out, reference;
+  std::string mode, out, reference, trace;
   std::map<std::string, std::string> factors;  // as given; absent: the mode's or the default
   int frames = 1;
 };
 
-/// Finds out before the work, not after it, that the picture cannot be written.
+/// Finds out before the work, not after it, that a file cannot be written.
+void check_writable(const char* option, const std::string& path) {
+  const std::filesystem::path parent = std::filesystem::absolute(path).parent_path();
+  if (!std::filesystem::is_directory(parent))
+    throw RequestError(fmt::format("{} {}: there is no folder {}", option, path, parent.string()));
+  const std::string part = part_of(path);
+  const bool writable = std::ofstream(part).is_open() && !std::filesystem::is_directory(path);
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  if (!writable)
+    throw RequestError(fmt::format("{} {}: cannot be written; choose another place", option, path));
+}
+
 void check_out(const std::string& out) {
   if (!out.ends_with(".png") && !out.ends_with(".exr")) {
     throw RequestError(
         fmt::format("--out {}: pictures are written as .png or .exr; name a file that ends so", out));
   }
-  const std::filesystem::path parent = std::filesystem::absolute(out).parent_path();
-  if (!std::filesystem::is_directory(parent)) {
-    throw RequestError(fmt::format("--out {}: there is no folder {}", out, parent.string()));
+  check_writable("--out", out);
+}
+
+void check_trace(const RenderOptions& options) {
+  if (options.trace.empty()) return;
+  if (!options.trace.ends_with(".json")) {
+    throw RequestError(
+        fmt::format("--trace {}: timelines are written as .json; name a file that ends so", options.trace));
   }
-  const std::string part = part_of(out);
-  const bool writable = std::ofstream(part).is_open() && !std::filesystem::is_directory(out);
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  if (!writable) throw RequestError(fmt::format("--out {}: cannot be written; choose another place", out));
+  check_writable("--trace", options.trace);
 }
 
 /// The reference of the picture's size; another size is told before a large file is read.
@@ -102,6 +116,7 @@ double render_frames(RenderJob& job, int frames, bool quiet) {
 
 int run(const RenderOptions& options, bool json) {
   check_out(options.out);
+  check_trace(options);
   const Topology topology = this_topology();
   const int pus = topology.processors();
   const Cell cell = make_cell(options, topology);
@@ -111,7 +126,9 @@ int run(const RenderOptions& options, bool json) {
   if (cell.threads > pus)
     fmt::print(stderr, "note: {} threads on {} processors: oversubscribed\n", cell.threads, pus);
   RenderJob job(cell);
+  if (!options.trace.empty()) job.reset(LogDetail::events);
   RenderOutcome outcome{options.out, options.frames, render_frames(job, options.frames, json), {}};
+  if (!options.trace.empty()) write_trace(cell, job, options.trace);
   const bool exr = options.out.ends_with(".exr");
   const std::vector<uint32_t> ids = exr || reference ? job.hit_ids() : std::vector<uint32_t>();
   if (reference) outcome.difference = compare(job.film(), ids, reference->film, reference->hit_ids);
@@ -147,6 +164,8 @@ void add_render(CommandLine& line) {
   verb->add_option("--frames", options.frames, "frames to render; times are their mean")
       ->check(CLI::Range(1, 1000000));
   verb->add_option("--reference", options.reference, "an .exr picture of the same size to compare with");
+  verb->add_option("--trace", options.trace,
+                   "a timeline of all chunks, for Perfetto or chrome://tracing: .json");
   verb->add_option("--out", options.out, "the picture: .png, or .exr for its floats and hit ids")->required();
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }

@@ -159,10 +159,12 @@ int run(const RunOptions& options, bool as_json) {
     throw RequestError("--resume goes on with the run in --out: name its folder");
   const Machine machine = detect_machine();
   std::vector<Config> configs = read_configs(options, machine);
-  std::erase_if(configs, [](const Config& config) {
-    if (!config.not_here.empty())
-      fmt::print(stderr, "{}: not run: {}.\n", config.experiment, config.not_here);
-    return !config.not_here.empty();
+  nlohmann::json json = nlohmann::json::array();
+  std::erase_if(configs, [&](const Config& config) {
+    if (config.not_here.empty()) return false;
+    json.push_back({{"experiment", config.experiment}, {"not_run", config.not_here}});
+    if (!as_json) fmt::print("{}: not run: {}.\n", config.experiment, config.not_here);
+    return true;
   });
   if (options.dry_run) {
     for (const Config& config : configs) print_plan(config, make_plan(config, machine.size()));
@@ -170,7 +172,6 @@ int run(const RunOptions& options, bool as_json) {
   }
   const std::vector<Prepared> list = prepare(std::move(configs), options, machine);
   catch_interrupts();
-  nlohmann::json json = nlohmann::json::array();
   int worst = exit_done;
   for (const Prepared& prepared : list) {
     const int code = run_one(prepared, machine, as_json ? &json : nullptr);
