@@ -1,6 +1,7 @@
 #include "schedulers/thread_pool.h"
 
 #include <limits>
+#include <set>
 
 namespace raysweep {
 
@@ -21,8 +22,9 @@ long long spin_count(const SchedulerOptions& options) {
       break;
   }
   // With more threads than processors, whom we wait for may be waiting for the processor that we spin on.
-  const bool oversubscribed = static_cast<size_t>(options.threads) > allowed_processors().size();
-  return oversubscribed ? 0 : usual_spin_count;
+  const std::set<int> placed(options.processors.begin(), options.processors.end());
+  const size_t processors = placed.empty() ? allowed_processors().size() : placed.size();
+  return static_cast<size_t>(options.threads) > processors ? 0 : usual_spin_count;
 }
 
 void pause() {

@@ -7,6 +7,7 @@
 
 #include "schedulers/work.h"
 
+// NOLINTBEGIN(readability-identifier-naming): the names are the runtimes'
 extern "C" {
 bool GOMP_loop_guided_start(long begin, long end, long step, long chunk, long* chunk_begin, long* chunk_end);
 bool GOMP_loop_guided_next(long* chunk_begin, long* chunk_end);
@@ -15,6 +16,7 @@ bool GOMP_loop_runtime_next(long* chunk_begin, long* chunk_end);
 void GOMP_loop_end();
 void GOMP_parallel(void (*body)(void*), void* data, unsigned threads, unsigned flags);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace raysweep {
 
