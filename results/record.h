@@ -91,6 +91,8 @@ struct Record {
 
   /// Frames a second: frames / total time, summed over processes.
   [[nodiscard]] double fps() const;
+  /// Whether each thread is bound to a processor.
+  [[nodiscard]] bool is_bound() const { return pin != "none" && pin != "-"; }
 };
 
 /// Thrown for records that cannot be read: file, line, reason.

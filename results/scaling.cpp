@@ -3,49 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 
-#include "results/factors.h"
+#include "results/rounds.h"
 
 namespace raysweep {
 
 namespace {
 
-/// Valid launches of one cell, by round.
-using Rounds = std::map<int, double>;
-
-/// Factors that the serial scheduler has no use for.
-const std::set<std::string> only_of_threads{"runtime", "pin", "wait_policy", "spin_count", "environment"};
-
-/// The factors of `r` as one text, with another scheduler, thread count and chunk: names the cell to compare
-/// with.
-std::string base_key(const Record& r, const std::string& scheduler, int threads, const std::string& chunk,
-                     int processes) {
-  std::string key = std::to_string(processes);
-  for (const FactorText& factor : factor_texts()) {
-    key += "|" + (factor.name == "scheduler"                                       ? scheduler
-                  : factor.name == "threads"                                       ? std::to_string(threads)
-                  : factor.name == "chunk"                                         ? chunk
-                  : scheduler == "serial" && only_of_threads.contains(factor.name) ? "-"
-                                                                                   : factor.text(r));
-  }
-  return key;
+std::optional<Estimate> fps_ratio(const Rounds& of, const Rounds& base) {
+  return paired(of, base, [](const Record* own, const Record* other) {
+    return std::optional(own->fps() / other->fps());
+  });
 }
 
-std::string own_key(const Record& r) { return base_key(r, r.scheduler, r.threads, r.chunk, r.processes); }
-
-std::optional<Estimate> ratio(const Rounds& of, const std::map<std::string, Rounds>& all,
-                              const std::string& base) {
-  const auto found = all.find(base);
-  if (found == all.end()) return std::nullopt;
-  std::vector<double> ratios;
-  for (const auto& [round, fps] : of) {
-    if (const auto other = found->second.find(round); other != found->second.end())
-      ratios.push_back(fps / other->second);
-  }
-  if (ratios.empty()) return std::nullopt;
-  return estimate_median(std::move(ratios));
+/// Cores that the threads can fill: where they are bound, those of their processors.
+int fillable_cores(const Record& r) {
+  return r.is_bound() && r.cores_seen > 0 ? r.cores_seen : std::min(r.threads, r.machine.cores);
 }
 
 void add_notes(CellRow& row, double interval_target) {
@@ -66,8 +39,8 @@ void add_notes(CellRow& row, double interval_target) {
   }
 }
 
-CellRow make_row(const Record& planned, const std::vector<const Record*>& launches,
-                 const std::map<std::string, Rounds>& all) {
+/// The row's factors and what its launches have in common.
+CellRow describe(const Record& planned, const std::vector<const Record*>& launches) {
   const auto is_valid = [](const Record* r) { return r->valid; };
   const auto valid = std::ranges::find_if(launches, is_valid);
   const auto voided = std::ranges::find_if_not(launches, is_valid);
@@ -78,30 +51,37 @@ CellRow make_row(const Record& planned, const std::vector<const Record*>& launch
   if (voided != launches.end()) row.cell.reason = (*voided)->reason;
   if (!launches.empty()) row.cell.machine = launches.front()->machine;
   for (const Record* r : launches) {
-    if (r->valid) row.cell.threads_seen = std::min(row.cell.threads_seen, r->threads_seen);
+    if (!r->valid) continue;
+    row.cell.threads_seen = std::min(row.cell.threads_seen, r->threads_seen);
+    row.cell.cores_seen = std::max(row.cell.cores_seen, r->cores_seen);
+    row.cell.processors_seen = std::max(row.cell.processors_seen, r->processors_seen);
   }
-  const Record& r = row.cell;
-  row.oversubscribed = row.launches > 0 && r.threads > r.machine.pus;
-  const auto own = all.find(own_key(r));
-  if (own == all.end()) return row;
+  row.oversubscribed = row.launches > 0 && row.cell.threads > row.cell.machine.pus;
+  return row;
+}
 
-  const Rounds& rounds = own->second;
+CellRow make_row(const Record& planned, const Launches& all) {
+  CellRow row = describe(planned, all.of_cell(planned.cell));
+  const Record& r = row.cell;
+  const Rounds& rounds = all.valid(own_key(r));
+  if (rounds.empty()) return row;
+
   std::vector<double> fps;
-  for (const auto& [round, value] : rounds) fps.push_back(value);
+  for (const auto& [round, launch] : rounds) fps.push_back(row.fps_by_round[round] = launch->fps());
   row.fps = estimate_median(std::move(fps));
-  const std::string serial = base_key(r, "serial", 1, "-", 1);
-  row.speedup = ratio(rounds, all, serial);
-  row.speedup_one = ratio(rounds, all, base_key(r, r.scheduler, 1, r.chunk, 1));
+  const Rounds& serial = all.valid(serial_key(r));
+  row.schedule = schedule_of(rounds, serial);
+  row.speedup = fps_ratio(rounds, serial);
+  row.speedup_one = fps_ratio(rounds, all.valid(base_key(r, r.scheduler, 1, r.chunk, 1)));
   if (row.speedup) {
     row.efficiency = row.speedup->value / r.threads;
-    row.core_efficiency = row.speedup->value / std::min(r.threads, r.machine.cores);
+    row.core_efficiency = row.speedup->value / fillable_cores(r);
   }
   const int processes = std::min(r.threads, r.machine.pus);
   if (processes == 1) return row;  // a process alone has no ceiling but itself
-  const std::string corun = base_key(r, "serial", 1, "-", processes);
-  if (const auto reached = all.find(corun); reached != all.end())
-    row.ceiling = ratio(reached->second, all, serial);
-  row.of_ceiling = ratio(rounds, all, corun);
+  const Rounds& together = all.valid(serial_key(r, processes));
+  row.ceiling = fps_ratio(together, serial);
+  row.of_ceiling = fps_ratio(rounds, together);
   return row;
 }
 
@@ -109,19 +89,11 @@ CellRow make_row(const Record& planned, const std::vector<const Record*>& launch
 
 std::vector<CellRow> summarise(const std::vector<Record>& records, const std::vector<Record>& planned,
                                double interval_target) {
-  // A launch that was void and tried again on resume has two records: the later one counts.
-  std::map<std::pair<std::string, int>, const Record*> latest;
-  for (const Record& r : records) latest[{r.cell, r.round}] = &r;
-  std::map<std::string, Rounds> all;
-  std::map<std::string, std::vector<const Record*>> by_cell;
-  for (const auto& [cell_and_round, r] : latest) {
-    by_cell[r->cell].push_back(r);
-    if (r->valid) all[own_key(*r)][r->round] = r->fps();
-  }
+  const Launches all(records);
   std::vector<CellRow> rows;
   for (const Record& cell : planned) {
     if (cell.processes > 1) continue;
-    rows.push_back(make_row(cell, by_cell[cell.cell], all));
+    rows.push_back(make_row(cell, all));
     add_notes(rows.back(), interval_target);
   }
   return rows;

@@ -1,11 +1,13 @@
 // From records to rows: each cell with its speedups, efficiencies and ceiling.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "results/record.h"
+#include "results/schedule.h"
 #include "results/statistics.h"
 
 namespace raysweep {
@@ -15,13 +17,15 @@ namespace raysweep {
 struct CellRow {
   Record cell;  // the cell's first valid record, for its factors; without one, the planned cell
   int launches = 0, void_launches = 0;
+  std::map<int, double> fps_by_round;     // of valid launches
   std::optional<Estimate> fps;            // none without a valid launch
-  std::optional<Estimate> speedup;        // against `serial`, same picture and item shape
+  std::optional<Estimate> speedup;        // against `serial`, same picture, items and order
   std::optional<Estimate> speedup_one;    // against one thread of the same scheduler
   std::optional<double> efficiency;       // speedup per thread
   std::optional<double> core_efficiency;  // speedup per physical core that the threads can fill
   std::optional<Estimate> ceiling;  // what as many independent serial processes reach together, against one
   std::optional<Estimate> of_ceiling;  // fps as a share of what those processes reach
+  Schedule schedule;                   // where the time went
   bool oversubscribed = false;
   std::vector<std::string> notes;
 };

@@ -13,23 +13,6 @@ namespace raysweep {
 
 namespace {
 
-std::string with_interval(const std::optional<Estimate>& e) {
-  if (!e) return "–";
-  if (!e->interval) return significant(e->value);
-  return fmt::format("{} [{}, {}]", significant(e->value), significant(e->interval->low),
-                     significant(e->interval->high));
-}
-
-std::string percent(const std::optional<double>& v) { return v ? fmt::format("{:.0f} %", *v * 100) : "–"; }
-
-/// "99.1 % [98.0, 100.2]"
-std::string percent(const std::optional<Estimate>& e) {
-  if (!e) return "–";
-  if (!e->interval) return fmt::format("{:.1f} %", e->value * 100);
-  return fmt::format("{:.1f} % [{:.1f}, {:.1f}]", e->value * 100, e->interval->low * 100,
-                     e->interval->high * 100);
-}
-
 void write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
@@ -85,22 +68,16 @@ Table scaling_data(const std::vector<CellRow>& rows) {
   for (const char* title : {"efficiency", "core_efficiency", "oversubscribed"})
     table.columns.push_back({title});
   table.columns.push_back({"notes", false});
-  const auto number = [](const std::optional<double>& v) {
-    return v ? fmt::format("{}", *v) : std::string();
-  };
   for (const CellRow& row : rows) {
     std::vector<std::string> cells;
     for (const FactorText& f : factor_texts()) cells.push_back(f.text(row.cell));
     for (const int v : {row.cell.threads_seen, row.launches, row.void_launches})
       cells.push_back(std::to_string(v));
     for (const auto& e : {row.fps, row.speedup, row.speedup_one, row.ceiling, row.of_ceiling}) {
-      const bool bounded = e && e->interval;
-      cells.push_back(e ? fmt::format("{}", e->value) : "");
-      cells.push_back(bounded ? fmt::format("{}", e->interval->low) : "");
-      cells.push_back(bounded ? fmt::format("{}", e->interval->high) : "");
+      for (std::string& number : unrounded(e)) cells.push_back(std::move(number));
     }
-    cells.push_back(number(row.efficiency));
-    cells.push_back(number(row.core_efficiency));
+    cells.push_back(unrounded(row.efficiency));
+    cells.push_back(unrounded(row.core_efficiency));
     cells.push_back(row.oversubscribed ? "1" : "0");
     cells.push_back(fmt::format("{}", fmt::join(row.notes, "; ")));
     table.rows.push_back(std::move(cells));
@@ -121,7 +98,9 @@ nlohmann::json rows_as_json(const std::vector<CellRow>& rows) {
 
 std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context) {
   std::string text = to_text(scaling_table(rows, context));
-  for (const ModeTable& made : mode_tables(rows)) text.append("\n").append(to_text(made.table));
+  const auto add = [&](const Table& table) { text.append("\n").append(to_text(table)); };
+  if (const auto schedule = schedule_table(rows)) add(*schedule);
+  for (const ModeTable& made : mode_tables(rows)) add(made.table);
   return text;
 }
 
@@ -130,6 +109,11 @@ void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
   std::filesystem::create_directories(folder);
   write_file(folder / "scaling.md", to_markdown(scaling_table(rows, context)));
   write_file(folder / "scaling.csv", to_csv(scaling_data(rows)));
+  if (const auto schedule = schedule_table(rows)) {
+    write_file(folder / "schedule.md", to_markdown(*schedule));
+    write_file(folder / "schedule.csv", to_csv(schedule_data(rows)));
+    write_file(folder / "chunks.csv", to_csv(chunk_data(rows)));
+  }
   for (const ModeTable& made : mode_tables(rows)) {
     write_file(folder / (made.name + ".md"), to_markdown(made.table));
     write_file(folder / (made.name + ".csv"), to_csv(made.table));

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <vector>
 
 #include "results/scaling.h"
@@ -24,6 +25,16 @@ struct TableContext {
 /// The same as one JSON object a row, keyed by column.
 [[nodiscard]] nlohmann::json rows_as_json(const std::vector<CellRow>& rows);
 
+/// Where the time of each cell went: its rows are those of the scaling table. Columns for which no row has a
+/// value are left out; none if no row has any.
+[[nodiscard]] std::optional<Table> schedule_table(const std::vector<CellRow>& rows);
+
+/// The same unrounded, with every factor and every interval.
+[[nodiscard]] Table schedule_data(const std::vector<CellRow>& rows);
+
+/// How many chunks of which size a frame had: one row a cell and size.
+[[nodiscard]] Table chunk_data(const std::vector<CellRow>& rows);
+
 /// A number against threads and modes: the layout of Morozov 2011's tables 3 and 4.
 struct ModeTable {
   std::string name;  // for a file: "fps-omp_static"
@@ -37,7 +48,8 @@ struct ModeTable {
 /// Everything a terminal should show.
 [[nodiscard]] std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context);
 
-/// Writes `scaling.md`, `scaling.csv` and the mode tables, as .md and .csv, into `folder`, which is made.
+/// Writes `scaling`, `schedule` and the mode tables, as .md and .csv, and `chunks.csv`,
+/// into `folder`, which is made; of what a run has nothing to say about there is no file.
 void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
                   const std::filesystem::path& folder);
 

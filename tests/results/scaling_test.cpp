@@ -69,6 +69,24 @@ TEST(scaling, more_threads_than_processors_are_oversubscribed_and_share_the_core
   EXPECT_EQ(eight.notes.front(), "oversubscribed");
 }
 
+TEST(scaling, bound_threads_fill_the_cores_of_their_processors) {
+  const auto core_efficiency = [](const std::string& pin, int cores_seen) {
+    auto records = drifting_run();
+    auto cells = order;
+    for (auto* list : {&records, &cells}) {
+      for (Record& r : *list) {
+        r.pin = r.scheduler == "serial" ? "-" : pin;
+        if (r.frame_seconds.empty()) continue;
+        r.cores_seen = cores_seen;
+      }
+    }
+    return *summarise(records, cells, 0.5)[2].core_efficiency;
+  };
+  EXPECT_NEAR(core_efficiency("0-1", 1), 1.6, 1e-12) << "two threads on one core";
+  EXPECT_NEAR(core_efficiency("none", 1), 0.8, 1e-12) << "where they happened to run does not count";
+  EXPECT_NEAR(core_efficiency("0-1", 0), 0.8, 1e-12) << "unknown";
+}
+
 TEST(scaling, few_launches_and_wide_intervals_are_noted) {
   std::vector<Record> records;
   for (int round = 0; round < 5; ++round) records.push_back(make_record("serial", 1, round, 1));
