@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/factors.h"
+#include "results/hyper_threading.h"
 #include "results/number_text.h"
 
 namespace raysweep {
@@ -100,6 +101,8 @@ std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext&
   std::string text = to_text(scaling_table(rows, context));
   const auto add = [&](const Table& table) { text.append("\n").append(to_text(table)); };
   if (const auto schedule = schedule_table(rows)) add(*schedule);
+  if (const auto groups = hyper_threading_groups(rows); !groups.empty())
+    add(hyper_threading_table(rows, groups));
   for (const ModeTable& made : mode_tables(rows)) add(made.table);
   return text;
 }
@@ -113,6 +116,10 @@ void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
     write_file(folder / "schedule.md", to_markdown(*schedule));
     write_file(folder / "schedule.csv", to_csv(schedule_data(rows)));
     write_file(folder / "chunks.csv", to_csv(chunk_data(rows)));
+  }
+  if (const auto groups = hyper_threading_groups(rows); !groups.empty()) {
+    write_file(folder / "hyper-threading.md", to_markdown(hyper_threading_table(rows, groups)));
+    write_file(folder / "hyper-threading.csv", to_csv(hyper_threading_data(groups)));
   }
   for (const ModeTable& made : mode_tables(rows)) {
     write_file(folder / (made.name + ".md"), to_markdown(made.table));

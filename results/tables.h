@@ -48,7 +48,7 @@ struct ModeTable {
 /// Everything a terminal should show.
 [[nodiscard]] std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context);
 
-/// Writes `scaling`, `schedule` and the mode tables, as .md and .csv, and `chunks.csv`,
+/// Writes `scaling`, `schedule`, `hyper-threading` and the mode tables, as .md and .csv, and `chunks.csv`,
 /// into `folder`, which is made; of what a run has nothing to say about there is no file.
 void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
                   const std::filesystem::path& folder);
