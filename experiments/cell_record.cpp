@@ -1,5 +1,7 @@
 #include "experiments/cell_record.h"
 
+#include "experiments/item.h"
+
 namespace raysweep {
 
 Record record_of(const Cell& cell) {
@@ -28,6 +30,7 @@ Record record_of(const Cell& cell) {
   r.chunk = cell.chunk_text();
   r.runtime = cell.runtime_text();
   r.order = cell.order;
+  r.shares_cache_lines = shares_cache_lines(parse_item(cell.item).value(), cell.settings.width);
   r.pin = cell.pin_text();
   r.wait_policy = cell.wait_policy_text();
   r.spin_count = cell.spin_count_text();

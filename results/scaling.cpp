@@ -25,6 +25,7 @@ void add_notes(CellRow& row, double interval_target) {
   const Record& r = row.cell;
   if (row.launches == 0) row.notes.push_back("not measured: the run ended before its first launch");
   if (row.oversubscribed) row.notes.push_back("oversubscribed");
+  if (r.shares_cache_lines && r.threads > 1) row.notes.push_back("items share cache lines");
   if (row.void_launches > 0) {
     row.notes.push_back(fmt::format("{} of {} launches void: {}", row.void_launches, row.launches, r.reason));
   }

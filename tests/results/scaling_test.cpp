@@ -127,6 +127,16 @@ TEST(scaling, fewer_threads_than_asked_are_told) {
   EXPECT_EQ(summarise(records, order, 0.5)[2].notes.front(), "1 of 2 threads ran");
 }
 
+TEST(scaling, items_that_share_cache_lines_are_marked_where_several_threads_write_them) {
+  auto records = drifting_run(), cells = order;
+  for (Record& r : records) r.shares_cache_lines = true;
+  const auto rows = summarise(records, cells, 0.5);
+  const auto marked = [](const CellRow& row) {
+    return std::ranges::find(row.notes, "items share cache lines") != row.notes.end();
+  };
+  for (const CellRow& row : rows) EXPECT_EQ(marked(row), row.cell.threads > 1);
+}
+
 TEST(tables, show_what_varies_and_mark_what_is_oversubscribed) {
   const Table table = scaling_table(summarise(drifting_run(), order, 0.5), {"test", "title"});
   EXPECT_EQ(table.columns[0].title, "scheduler");
