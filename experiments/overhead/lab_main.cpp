@@ -1,0 +1,181 @@
+// What does it cost to hand work out? Per scheduler, runtime and threads: an empty region, a chunk, and the
+// smallest task that keeps an efficiency; and what workers do while they wait.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "experiments/errors.h"
+#include "experiments/interrupt.h"
+#include "experiments/overhead/lab.h"
+#include "experiments/overhead/report.h"
+#include "experiments/overhead/row.h"
+#include "schedulers/registry.h"
+
+namespace raysweep {
+
+namespace {
+
+struct LabOptions {
+  std::vector<std::string> schedulers;
+  std::string threads = "1,cores,processors", wait_policy = "default", study = "all", out;
+  double seconds = 5;
+  bool beside_load = false;
+};
+
+struct RowOptions {
+  std::string scheduler, runtime, wait_policy = "default", parts = "region,chunks,sizes";
+  int threads = 1;
+  std::optional<int> spin_count;
+  double seconds = 5, iteration_ns = 0;
+};
+
+RowParts parse_parts(const std::string& list) {
+  RowParts parts;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');) {
+    bool* const part = word == "region"   ? &parts.region
+                       : word == "chunks" ? &parts.chunks
+                       : word == "sizes"  ? &parts.sizes
+                       : word == "burn"   ? &parts.burn
+                                          : nullptr;
+    if (!part)
+      throw RequestError(fmt::format(
+          "--measure: \"{}\" is unknown; possible: region, chunks, sizes, burn, by commas", word));
+    *part = true;
+  }
+  return parts;
+}
+
+int run_row(const RowOptions& options, const std::vector<std::string>& benchmark_flags) {
+  const Subject subject{options.scheduler,  options.runtime,
+                        options.threads,    parse_wait_policy(options.wait_policy),
+                        options.spin_count, false};
+  const int processors = static_cast<int>(allowed_processors().size());
+  const RowRequest request{subject, parse_parts(options.parts), options.seconds,
+                           static_cast<double>(std::min(options.threads, processors)), options.iteration_ns};
+  fmt::print("{}\n", to_line(measure_row(request, benchmark_flags)));
+  return exit_done;
+}
+
+const char* const schedulers_explanation =
+    "Each row is a process of its own; brackets hold 95 % intervals of the median over repetitions. `empty "
+    "region`: a run with one item of nothing for each thread. `per chunk`: what a run of `chunks/run` chunks "
+    "of "
+    "nothing takes longer, in time of a processor, for each chunk. `METG`: the smallest task, one a chunk, "
+    "with "
+    "which useful time is still that share of all processors' time, 1000 tasks a thread; interpolated "
+    "between "
+    "two measured sizes, else `not bracketed`. A task's length is that of busy work on one thread alone, "
+    "before "
+    "and after the row; `drift` is what changed between. Schedulers that ignore chunks hand out blocks.";
+
+const char* const waiting_explanation =
+    "How idle workers wait. `empty region` as above; `slowest repetition`: the slowest of the repetitions, "
+    "each "
+    "a mean over many regions; `idle burn`: processor time that the process uses after a region until it "
+    "goes "
+    "quiet, watched for up to a second.";
+
+int run_lab(const LabOptions& options) {
+  const Machine machine = detect_machine();
+  const int processors = machine.topology.processors();
+  const auto threads = parse_threads(options.threads, machine.topology.cores(), processors);
+  const WaitPolicy wait = parse_wait_policy(options.wait_policy);
+  const auto subjects = scheduler_subjects(options.schedulers, threads, wait);
+  refuse_waiting_environment();
+  if (!options.out.empty()) make_report_folder(options.out);
+  catch_interrupts();
+  const MeasureRow measure = [&](const Subject& subject, const std::string& parts, double iteration_ns) {
+    return measure_in_a_child(subject, parts, iteration_ns, options.seconds);
+  };
+  Report report{options.study == "waiting" ? "waiting" : "overhead", "What handing work out costs", {}};
+  std::vector<OverheadRow> all;
+  if (options.study != "waiting") {
+    all = measure_rows(subjects, "region,chunks,sizes", measure);
+    report.parts.push_back({"overhead", schedulers_explanation, scheduler_table(all, processors),
+                            scheduler_numbers(all, processors)});
+    report.parts.push_back({"task_sizes", "", {}, task_size_numbers(all, processors)});
+  }
+  if (options.study != "schedulers") {
+    const auto rows = measure_rows(waiting_subjects(threads, options.beside_load), "region,burn", measure);
+    report.parts.push_back(
+        {"waiting", waiting_explanation, waiting_table(rows, processors), waiting_numbers(rows, processors)});
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  print_report(report, machine);
+  if (interrupted()) return exit_interrupted;
+  if (!options.out.empty()) write_report(report, machine, options.out);
+  const auto failed = [](const OverheadRow& row) { return !row.problem.empty(); };
+  return std::ranges::any_of(all, failed) ? exit_failed : exit_done;
+}
+
+void add_lab_options(CLI::App& app, LabOptions& options) {
+  app.add_option("--scheduler", options.schedulers, "these (default: all that are available)");
+  app.add_option("--threads", options.threads, "counts, \"cores\" and \"processors\", by commas")
+      ->capture_default_str();
+  app.add_option("--wait-policy", options.wait_policy, "of idle workers: default, active or passive")
+      ->capture_default_str();
+  app.add_option("--study", options.study, "schedulers, waiting (how workers wait) or all")
+      ->check(CLI::IsMember({"schedulers", "waiting", "all"}))
+      ->capture_default_str();
+  app.add_flag("--beside-load", options.beside_load,
+               "measure each way to wait again beside one busy process on the same processors");
+  app.add_option("--seconds", options.seconds, "about so long a row")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
+}
+
+CLI::App* add_row(CLI::App& app, RowOptions& options) {
+  CLI::App* const row = app.add_subcommand("row",
+                                           "one row in this process: what this program starts itself; "
+                                           "takes Google Benchmark's flags, --benchmark_…");
+  row->allow_extras();
+  row->add_option("--scheduler", options.scheduler)->required();
+  row->add_option("--runtime", options.runtime, "of OpenMP: libgomp or libomp");
+  row->add_option("--threads", options.threads)->check(CLI::Range(min_threads, max_threads));
+  row->add_option("--wait-policy", options.wait_policy);
+  row->add_option("--spin-count", options.spin_count)->check(CLI::NonNegativeNumber);
+  row->add_option("--measure", options.parts, "region, chunks, sizes, burn, by commas")
+      ->capture_default_str();
+  row->add_option("--seconds", options.seconds)->check(CLI::PositiveNumber);
+  row->add_option("--iteration-ns", options.iteration_ns, "of busy work; measured if it is not given")
+      ->check(CLI::PositiveNumber);
+  return row;
+}
+
+int run_command(int argc, char** argv) {
+  CLI::App app{"What does handing work out cost, per scheduler, runtime and threads?", "overhead_lab"};
+  LabOptions lab;
+  RowOptions row_options;
+  add_lab_options(app, lab);
+  const CLI::App* const row = add_row(app, row_options);
+  const CLI::App* const load = app.add_subcommand("load", "use a processor until standard input is closed");
+  app.require_subcommand(0, 1);
+  try {
+    app.parse(argc, argv);
+    if (*row) return run_row(row_options, row->remaining());
+    if (*load) return be_busy(), exit_done;
+    return run_lab(lab);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_refused;
+  } catch (const RequestError& error) {
+    fmt::print(stderr, "overhead_lab: {}\n", error.what());
+    return exit_refused;
+  } catch (const SchedulerError& error) {
+    fmt::print(stderr, "overhead_lab: {}\n", error.what());
+    return exit_refused;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "overhead_lab: {}\n", error.what());
+    return exit_failed;
+  }
+}
+
+}  // namespace
+
+}  // namespace raysweep
+
+int main(int argc, char** argv) { return raysweep::run_command(argc, argv); }
