@@ -58,12 +58,9 @@ void WorkerLog::note_processor(WorkerEntry& entry) {
   entry.last_processor = processor;
 }
 
-void WorkerLog::begin_chunk(int worker, size_t first_item, size_t item_count) {
-  WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
-  entry.items += item_count;
-  entry.next_item = first_item + item_count;
-  if (entry.chunks++ == 0) entry.processor = sched_getcpu();
-  if (detail_ == LogDetail::counts) return;
+void WorkerLog::note_first_processor(WorkerEntry& entry) { entry.processor = sched_getcpu(); }
+
+void WorkerLog::time_chunk(WorkerEntry& entry, size_t first_item, size_t item_count) {
   note_processor(entry);
   if (entry.open_size > 0) count(entry.chunk_sizes, entry.open_size, 1);
   entry.open_size = item_count;
@@ -86,9 +83,7 @@ void WorkerLog::begin_item(int worker, size_t item) {
   if (detail_ == LogDetail::events) entry.events.back().item_count++;
 }
 
-void WorkerLog::end_chunk(int worker) {
-  if (detail_ == LogDetail::counts) return;
-  WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
+void WorkerLog::end_timed_chunk(WorkerEntry& entry) {
   entry.last_end = now();
   entry.busy += entry.last_end - entry.begun;
   if (detail_ == LogDetail::events) entry.events.back().end = entry.last_end;

@@ -51,8 +51,18 @@ class WorkerLog {
 
   void begin_run();
   void end_run();
-  void begin_chunk(int worker, size_t first_item, size_t item_count);
-  void end_chunk(int worker);
+  /// Inline as far as counts go: with chunks of some ten nanoseconds, two calls for each would be seen.
+  void begin_chunk(int worker, size_t first_item, size_t item_count) {
+    WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
+    entry.items += item_count;
+    entry.next_item = first_item + item_count;
+    const bool first = entry.chunks++ == 0;
+    if (first) note_first_processor(entry);
+    if (detail_ != LogDetail::counts) time_chunk(entry, first_item, item_count);
+  }
+  void end_chunk(int worker) {
+    if (detail_ != LogDetail::counts) end_timed_chunk(entries_[static_cast<size_t>(worker)]);
+  }
   /// An item whose chunk only a library knows: successive items count as one chunk, so that neighbouring
   /// chunks of one worker are taken for one.
   void begin_item(int worker, size_t item);
@@ -72,7 +82,10 @@ class WorkerLog {
 
  private:
   [[nodiscard]] std::chrono::nanoseconds now() const;
-  void note_processor(WorkerEntry& entry);
+  static void note_first_processor(WorkerEntry& entry);
+  static void note_processor(WorkerEntry& entry);
+  void time_chunk(WorkerEntry& entry, size_t first_item, size_t item_count);
+  void end_timed_chunk(WorkerEntry& entry);
 
   LogDetail detail_;
   std::chrono::steady_clock::time_point start_;
