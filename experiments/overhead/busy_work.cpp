@@ -9,29 +9,44 @@ namespace raysweep {
 
 namespace {
 
-thread_local std::uint64_t last = 0;
+/// No instruction goes on beyond this one before all earlier ones are done.
+inline void wait_for_all_before() {
+#if defined(__x86_64__)
+  __builtin_ia32_lfence();
+#elif defined(__aarch64__)
+  asm volatile("isb" ::: "memory");
+#endif
+}
+
+template <class Call>
+double median_nanoseconds(int calls, Call call) {
+  std::vector<double> samples(200);
+  for (double& sample : samples) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < calls; ++i) call();
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+    sample = taken.count() / calls;
+  }
+  return median(samples);
+}
 
 }  // namespace
 
 [[gnu::noinline]] void busy_work(std::uint64_t iterations) noexcept {
-  std::uint64_t x = last;
+  wait_for_all_before();
+  std::uint64_t x = iterations;
   for (std::uint64_t i = 0; i < iterations; ++i) {
     x = x * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator: any odd factor would do
     asm volatile("" : "+r"(x));                           // the compiler must not know what came out
   }
-  last = x;
+  wait_for_all_before();
 }
 
-double nanoseconds_of_an_iteration() {
-  constexpr std::uint64_t batch = 100'000;
-  std::vector<double> samples(200);
-  for (double& sample : samples) {
-    const auto begin = std::chrono::steady_clock::now();
-    busy_work(batch);
-    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
-    sample = taken.count() / static_cast<double>(batch);
-  }
-  return median(samples);
+WorkSpeed measure_work_speed() {
+  constexpr std::uint64_t long_work = 50'000;
+  const double call = median_nanoseconds(5'000, [] { busy_work(0); });
+  const double whole = median_nanoseconds(1, [] { busy_work(long_work); });
+  return {call, (whole - call) / static_cast<double>(long_work)};
 }
 
 Body busy_items(std::uint64_t iterations) {

@@ -17,8 +17,8 @@ namespace raysweep {
 
 namespace {
 
-std::vector<std::string> row_arguments(const Subject& subject, const std::string& parts, double iteration_ns,
-                                       double seconds) {
+std::vector<std::string> row_arguments(const Subject& subject, const std::string& parts,
+                                       const WorkSpeed& speed, double seconds) {
   const Subject plain{{}, {}, 1, subject.wait, {}, false};
   std::vector<std::string> arguments{"row",
                                      "--scheduler",
@@ -31,8 +31,10 @@ std::vector<std::string> row_arguments(const Subject& subject, const std::string
                                      parts,
                                      "--seconds",
                                      fmt::format("{}", seconds),
+                                     "--call-ns",
+                                     fmt::format("{}", speed.call),
                                      "--iteration-ns",
-                                     fmt::format("{}", iteration_ns)};
+                                     fmt::format("{}", speed.iteration)};
   const auto add = [&](const char* option, const std::string& value) {
     arguments.emplace_back(option);
     arguments.push_back(value);
@@ -51,26 +53,26 @@ std::vector<OverheadRow> measure_rows(const std::vector<Subject>& subjects, cons
     if (interrupted()) break;
     fmt::print(stderr, "{}/{} {}\n", rows.size() + 1, subjects.size(), subject.text());
     OverheadRow row{subject};
-    row.iteration_ns_before = nanoseconds_of_an_iteration();
+    row.before = measure_work_speed();
     try {
-      row.samples = measure(subject, parts, row.iteration_ns_before);
+      row.samples = measure(subject, parts, row.before);
     } catch (const WorkError& error) {
       row.problem = error.what();
     }
-    row.iteration_ns_after = nanoseconds_of_an_iteration();
+    row.after = measure_work_speed();
     if (!interrupted()) rows.push_back(std::move(row));
   }
   return rows;
 }
 
-RowSamples measure_in_a_child(const Subject& subject, const std::string& parts, double iteration_ns,
+RowSamples measure_in_a_child(const Subject& subject, const std::string& parts, const WorkSpeed& speed,
                               double seconds) {
   std::unique_ptr<Child> load;
   if (subject.beside_load) {
     load = std::make_unique<Child>(std::vector<std::string>{"load"});
     (void)load->read_line();  // it is at work now
   }
-  Child child(row_arguments(subject, parts, iteration_ns, seconds));
+  Child child(row_arguments(subject, parts, speed, seconds));
   const auto line = child.read_line();
   if (!line) throw WorkError(interrupted() ? "interrupted" : child.how_it_ended());
   try {

@@ -11,7 +11,8 @@ namespace raysweep {
 
 /// How a row is measured between two calibrations of busy work. The program starts itself anew; tests may
 /// make rows up.
-using MeasureRow = std::function<RowSamples(const Subject&, const std::string& parts, double iteration_ns)>;
+using MeasureRow =
+    std::function<RowSamples(const Subject&, const std::string& parts, const WorkSpeed& speed)>;
 
 /// The rows of `subjects`, in order. A row that fails is kept, with its reason. Ends early when interrupted.
 [[nodiscard]] std::vector<OverheadRow> measure_rows(const std::vector<Subject>& subjects,
@@ -20,7 +21,7 @@ using MeasureRow = std::function<RowSamples(const Subject&, const std::string& p
 /// Starts this program's verb `row` for it, beside a busy process if that is asked for. Throws WorkError if
 /// the row's process dies.
 [[nodiscard]] RowSamples measure_in_a_child(const Subject& subject, const std::string& parts,
-                                            double iteration_ns, double seconds);
+                                            const WorkSpeed& speed, double seconds);
 
 /// Uses a processor until standard input is closed, or the process killed.
 void be_busy();

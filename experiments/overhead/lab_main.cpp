@@ -29,7 +29,8 @@ struct RowOptions {
   std::string scheduler, runtime, wait_policy = "default", parts = "region,chunks,sizes";
   int threads = 1;
   std::optional<int> spin_count;
-  double seconds = 5, iteration_ns = 0;
+  double seconds = 5;
+  WorkSpeed speed{};
 };
 
 RowParts parse_parts(const std::string& list) {
@@ -55,7 +56,7 @@ int run_row(const RowOptions& options, const std::vector<std::string>& benchmark
                         options.spin_count, false};
   const int processors = static_cast<int>(allowed_processors().size());
   const RowRequest request{subject, parse_parts(options.parts), options.seconds,
-                           static_cast<double>(std::min(options.threads, processors)), options.iteration_ns};
+                           static_cast<double>(std::min(options.threads, processors)), options.speed};
   fmt::print("{}\n", to_line(measure_row(request, benchmark_flags)));
   return exit_done;
 }
@@ -88,8 +89,8 @@ int run_lab(const LabOptions& options) {
   refuse_waiting_environment();
   if (!options.out.empty()) make_report_folder(options.out);
   catch_interrupts();
-  const MeasureRow measure = [&](const Subject& subject, const std::string& parts, double iteration_ns) {
-    return measure_in_a_child(subject, parts, iteration_ns, options.seconds);
+  const MeasureRow measure = [&](const Subject& subject, const std::string& parts, const WorkSpeed& speed) {
+    return measure_in_a_child(subject, parts, speed, options.seconds);
   };
   Report report{options.study == "waiting" ? "waiting" : "overhead", "What handing work out costs", {}};
   std::vector<OverheadRow> all;
@@ -142,7 +143,9 @@ CLI::App* add_row(CLI::App& app, RowOptions& options) {
   row->add_option("--measure", options.parts, "region, chunks, sizes, burn, by commas")
       ->capture_default_str();
   row->add_option("--seconds", options.seconds)->check(CLI::PositiveNumber);
-  row->add_option("--iteration-ns", options.iteration_ns, "of busy work; measured if it is not given")
+  row->add_option("--call-ns", options.speed.call, "of busy work of no iterations")
+      ->check(CLI::NonNegativeNumber);
+  row->add_option("--iteration-ns", options.speed.iteration, "of busy work; measured if it is not given")
       ->check(CLI::PositiveNumber);
   return row;
 }

@@ -114,10 +114,10 @@ void measure_burn(Scheduler& scheduler, int threads, RowSamples& samples) {
 }  // namespace
 
 RowSamples measure_row(const RowRequest& request, const std::vector<std::string>& benchmark_flags) {
-  const auto& [subject, parts, seconds, useful_at_once, given_ns] = request;
+  const auto& [subject, parts, seconds, useful_at_once, given] = request;
   const SchedulerInfo* const info = find_scheduler(subject.scheduler);
   // Before there are workers, who might still be awake.
-  const double iteration_ns = given_ns > 0 || !parts.sizes ? given_ns : nanoseconds_of_an_iteration();
+  const WorkSpeed speed = given.iteration > 0 || !parts.sizes ? given : measure_work_speed();
   const auto scheduler = make_scheduler(subject.scheduler, subject.options());
   const int threads = subject.threads;
   const auto per_thread = static_cast<size_t>(threads);
@@ -135,7 +135,7 @@ RowSamples measure_row(const RowRequest& request, const std::vector<std::string>
   }
   if (parts.region || parts.chunks) benchmarks.run(samples);
   if (parts.sizes)
-    sweep_task_sizes(*scheduler, threads, {seconds * sizes_share, iteration_ns, useful_at_once}, samples);
+    sweep_task_sizes(*scheduler, threads, {seconds * sizes_share, speed, useful_at_once}, samples);
   if (parts.burn) measure_burn(*scheduler, threads, samples);
   return samples;
 }

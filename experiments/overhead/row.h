@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/overhead/busy_work.h"
 #include "experiments/overhead/row_samples.h"
 #include "experiments/overhead/subject.h"
 
@@ -20,9 +21,9 @@ struct RowParts {
 struct RowRequest {
   Subject subject;
   RowParts parts;
-  double seconds;           // for all of it, about
-  double useful_at_once;    // min(threads, processors)
-  double iteration_ns = 0;  // of busy work; 0: to be found out
+  double seconds;         // for all of it, about
+  double useful_at_once;  // min(threads, processors)
+  WorkSpeed speed{};      // of busy work; 0: to be found out
 };
 
 /// `benchmark_flags` are Google Benchmark's own, "--benchmark_…"; they win over what is asked for here.

@@ -18,7 +18,7 @@ constexpr double marked_drift = 0.025;
 
 double at_once(const Subject& subject, int processors) { return std::min(subject.threads, processors); }
 
-double drift(const OverheadRow& row) { return row.iteration_ns_after / row.iteration_ns_before - 1; }
+double drift(const OverheadRow& row) { return row.after.iteration / row.before.iteration - 1; }
 
 std::string runtime_text(const Subject& subject) { return subject.runtime.empty() ? "–" : subject.runtime; }
 
@@ -117,10 +117,10 @@ std::optional<Estimate> nanoseconds_per_chunk(const RowSamples& samples, double 
 }
 
 std::vector<TaskSize> task_sizes(const OverheadRow& row, int processors) {
-  const double iteration_ns = (row.iteration_ns_before + row.iteration_ns_after) / 2;
   std::vector<TaskSize> sizes;
   for (const SizeSample& sample : row.samples.sizes) {
-    const double task_ns = sample.iterations * iteration_ns;
+    const double task_ns =
+        (row.before.nanoseconds(sample.iterations) + row.after.nanoseconds(sample.iterations)) / 2;
     sizes.push_back(
         {task_ns, efficiency(row.samples.tasks, task_ns, at_once(row.subject, processors), sample.seconds)});
   }
@@ -166,7 +166,7 @@ Table scheduler_numbers(const std::vector<OverheadRow>& rows, int processors) {
       columns({"scheduler", "runtime", "wait"},
               {"threads", "oversubscribed", "region_ns", "region_low_ns", "region_high_ns", "chunk_ns",
                "chunk_low_ns", "chunk_high_ns", "chunks_per_run", "metg50_ns", "metg50_kind", "metg95_ns",
-               "metg95_kind", "iteration_ns_before", "iteration_ns_after", "notes"});
+               "metg95_kind", "call_ns", "iteration_ns_before", "iteration_ns_after", "notes"});
   for (const OverheadRow& row : rows) {
     const Subject& s = row.subject;
     std::vector<std::string> cells{s.scheduler, s.runtime, s.wait_text(), std::to_string(s.threads),
@@ -175,8 +175,8 @@ Table scheduler_numbers(const std::vector<OverheadRow>& rows, int processors) {
     append_numbers(cells, nanoseconds_per_chunk(row.samples, at_once(s, processors)));
     cells.push_back(row.samples.chunks > 0 ? number(row.samples.chunks) : "");
     for (const double bound : bounds) append_numbers(cells, find_metg(task_sizes(row, processors), bound));
-    cells.push_back(number(row.iteration_ns_before));
-    cells.push_back(number(row.iteration_ns_after));
+    for (const double ns : {row.before.call, row.before.iteration, row.after.iteration})
+      cells.push_back(number(ns));
     cells.push_back(notes(row, processors));
     table.rows.push_back(std::move(cells));
   }

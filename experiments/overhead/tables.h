@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/overhead/busy_work.h"
 #include "experiments/overhead/metg.h"
 #include "experiments/overhead/row_samples.h"
 #include "experiments/overhead/subject.h"
@@ -16,8 +17,8 @@ namespace raysweep {
 struct OverheadRow {
   Subject subject;
   RowSamples samples{};
-  double iteration_ns_before = 0, iteration_ns_after = 0;  // of busy work, on one thread, alone
-  std::string problem{};                                   // why there are no samples
+  WorkSpeed before{}, after{};  // of busy work, on one thread, alone
+  std::string problem{};        // why there are no samples
 };
 
 /// What one chunk costs in time of a processor, in nanoseconds: what a run of many takes longer than an empty

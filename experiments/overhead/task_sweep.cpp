@@ -2,7 +2,6 @@
 
 #include "experiments/clock.h"
 #include "experiments/interrupt.h"
-#include "experiments/overhead/busy_work.h"
 #include "results/statistics.h"
 
 namespace raysweep {
@@ -12,9 +11,9 @@ namespace {
 /// Waking all workers costs some 10 µs: over a thousand tasks that is 10 ns each, less than handing one out.
 constexpr int tasks_per_thread = 1000;
 
-/// 4 iterations are some 4 ns: no more than a chunk costs with the cheapest scheduler. 2³⁰ of those are more
-/// than a second.
-constexpr double least_iterations = 4, most_iterations = 4.0 * (1 << 30);
+/// One iteration is hardly more than the call: no more than a chunk costs with the cheapest scheduler. 2³⁰ of
+/// them are more than a second.
+constexpr double least_iterations = 1, most_iterations = 1 << 30;
 
 /// Of a size; the median of them is kept. Before them comes one that is not timed.
 constexpr int timed_runs = 5;
@@ -53,7 +52,7 @@ void sweep_task_sizes(Scheduler& scheduler, int threads, const SweepLimits& limi
     const double seconds = median_seconds(scheduler, threads, iterations);
     samples.sizes.push_back({iterations, seconds});
     const double reached =
-        efficiency(samples.tasks, iterations * limits.iteration_ns, limits.useful_at_once, seconds);
+        efficiency(samples.tasks, limits.speed.nanoseconds(iterations), limits.useful_at_once, seconds);
     good = reached >= good_efficiency ? good + 1 : 0;
   }
 }

@@ -1,6 +1,7 @@
 // Runs of equally many tasks, longer and longer ones: what METG is read from.
 #pragma once
 
+#include "experiments/overhead/busy_work.h"
 #include "experiments/overhead/row_samples.h"
 #include "schedulers/scheduler.h"
 
@@ -14,7 +15,7 @@ namespace raysweep {
 
 struct SweepLimits {
   double seconds;         // for all sizes together; a size that would exceed them is not begun
-  double iteration_ns;    // of busy work
+  WorkSpeed speed;        // of busy work
   double useful_at_once;  // min(threads, processors): what efficiency 1 would be
 };
 

@@ -13,19 +13,20 @@ bool GOMP_loop_guided_start(long begin, long end, long step, long chunk, long* c
 bool GOMP_loop_guided_next(long* chunk_begin, long* chunk_end);
 bool GOMP_loop_runtime_start(long begin, long end, long step, long* chunk_begin, long* chunk_end);
 bool GOMP_loop_runtime_next(long* chunk_begin, long* chunk_end);
-void GOMP_loop_end();
+void GOMP_loop_end_nowait();
 void GOMP_parallel(void (*body)(void*), void* data, unsigned threads, unsigned flags);
 }
 // NOLINTEND(readability-identifier-naming)
 
 namespace raysweep {
 
-/// Hands on the chunks that `begun` and `next` tell of. To be called by every thread of the team.
+/// Hands on the chunks that `begun` and `next` tell of. To be called by every thread of the team, last in its
+/// parallel region: the region's end is the only barrier, as where g++ compiles `#pragma omp parallel for`.
 template <class Next>
 void for_loop_chunks(bool begun, long begin, long end, Next next, const Work& work) {
   for (bool more = begun; more; more = next(&begin, &end))
     work(static_cast<size_t>(begin), static_cast<size_t>(end), omp_get_thread_num());
-  GOMP_loop_end();
+  GOMP_loop_end_nowait();
 }
 
 /// `#pragma omp for schedule(guided, chunk)` over `count` items.
