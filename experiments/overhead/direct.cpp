@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/clock.h"
-#include "experiments/errors.h"
 #include "experiments/overhead/busy_work.h"
+#include "experiments/overhead/command.h"
 #include "experiments/overhead/comparison.h"
-#include "experiments/overhead/metg.h"
+#include "experiments/overhead/numbers_text.h"
 #include "experiments/overhead/report.h"
 #include "experiments/overhead/task_sweep.h"
-#include "schedulers/registry.h"
 
 namespace raysweep {
 
@@ -86,18 +83,13 @@ Table table_of(const std::vector<Compared>& list) {
 Table numbers_of(const std::vector<Compared>& list, const DirectOptions& options) {
   Table table;
   table.columns = {{"loop"}, {"scheduler"}, {"threads"}, {"rounds"}, {"items"}};
-  for (const char* value : {"direct_ns", "ours_ns", "difference_ns", "ratio"}) {
-    for (const char* end : {"", "_low", "_high"}) table.columns.push_back({std::string(value) + end});
-  }
+  for (const char* value : {"direct_ns", "ours_ns", "difference_ns", "ratio"}) add_columns(table, value);
   table.columns.push_back({"claim"});
   for (const auto& [loop, result] : list) {
     std::vector<std::string> cells{loop.text, loop.scheduler, std::to_string(options.threads),
                                    std::to_string(options.rounds), std::to_string(options.items)};
-    for (const Estimate& e : {result.direct, result.ours, result.difference, result.ratio}) {
-      cells.push_back(fmt::format("{:.6g}", e.value));
-      cells.push_back(e.interval ? fmt::format("{:.6g}", e.interval->low) : "");
-      cells.push_back(e.interval ? fmt::format("{:.6g}", e.interval->high) : "");
-    }
+    for (const Estimate& e : {result.direct, result.ours, result.difference, result.ratio})
+      add_cells(cells, e);
     cells.emplace_back(text(judge(result)));
     table.rows.push_back(std::move(cells));
   }
@@ -145,18 +137,7 @@ int compare_directly(const DirectProgram& program, int argc, char** argv) {
       ->check(CLI::Range(100, max_chunk))
       ->capture_default_str();
   app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
-  try {
-    app.parse(argc, argv);
-    return compare_loops(program, options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_refused;
-  } catch (const RequestError& error) {
-    fmt::print(stderr, "{}: {}\n", program.name, error.what());
-    return exit_refused;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", program.name, error.what());
-    return exit_failed;
-  }
+  return run_command(app, argc, argv, [&] { return compare_loops(program, options); });
 }
 
 }  // namespace raysweep

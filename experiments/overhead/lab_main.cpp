@@ -2,17 +2,15 @@
 // smallest task that keeps an efficiency; and what workers do while they wait.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
-#include "experiments/errors.h"
 #include "experiments/interrupt.h"
+#include "experiments/numbers.h"
+#include "experiments/overhead/command.h"
 #include "experiments/overhead/lab.h"
 #include "experiments/overhead/report.h"
 #include "experiments/overhead/row.h"
-#include "schedulers/registry.h"
 
 namespace raysweep {
 
@@ -32,6 +30,14 @@ struct RowOptions {
   double seconds = 5;
   WorkSpeed speed{};
 };
+
+/// CLI11's own range up to the largest number is told with all its 309 digits.
+const CLI::Validator positive(
+    [](const std::string& text) {
+      const auto seconds = parse_number<double>(text);
+      return seconds && *seconds > 0 && *seconds <= 3600 ? "" : text + " is no number above 0 and up to 3600";
+    },
+    "POSITIVE");
 
 RowParts parse_parts(const std::string& list) {
   RowParts parts;
@@ -124,9 +130,7 @@ void add_lab_options(CLI::App& app, LabOptions& options) {
       ->capture_default_str();
   app.add_flag("--beside-load", options.beside_load,
                "measure each way to wait again beside one busy process on the same processors");
-  app.add_option("--seconds", options.seconds, "about so long a row")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  app.add_option("--seconds", options.seconds, "about so long a row")->check(positive)->capture_default_str();
   app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
 }
 
@@ -142,15 +146,15 @@ CLI::App* add_row(CLI::App& app, RowOptions& options) {
   row->add_option("--spin-count", options.spin_count)->check(CLI::NonNegativeNumber);
   row->add_option("--measure", options.parts, "region, chunks, sizes, burn, by commas")
       ->capture_default_str();
-  row->add_option("--seconds", options.seconds)->check(CLI::PositiveNumber);
+  row->add_option("--seconds", options.seconds)->check(positive);
   row->add_option("--call-ns", options.speed.call, "of busy work of no iterations")
       ->check(CLI::NonNegativeNumber);
   row->add_option("--iteration-ns", options.speed.iteration, "of busy work; measured if it is not given")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
   return row;
 }
 
-int run_command(int argc, char** argv) {
+int start(int argc, char** argv) {
   CLI::App app{"What does handing work out cost, per scheduler, runtime and threads?", "overhead_lab"};
   LabOptions lab;
   RowOptions row_options;
@@ -158,27 +162,15 @@ int run_command(int argc, char** argv) {
   const CLI::App* const row = add_row(app, row_options);
   const CLI::App* const load = app.add_subcommand("load", "use a processor until standard input is closed");
   app.require_subcommand(0, 1);
-  try {
-    app.parse(argc, argv);
+  return run_command(app, argc, argv, [&] {
     if (*row) return run_row(row_options, row->remaining());
     if (*load) return be_busy(), exit_done;
     return run_lab(lab);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_refused;
-  } catch (const RequestError& error) {
-    fmt::print(stderr, "overhead_lab: {}\n", error.what());
-    return exit_refused;
-  } catch (const SchedulerError& error) {
-    fmt::print(stderr, "overhead_lab: {}\n", error.what());
-    return exit_refused;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "overhead_lab: {}\n", error.what());
-    return exit_failed;
-  }
+  });
 }
 
 }  // namespace
 
 }  // namespace raysweep
 
-int main(int argc, char** argv) { return raysweep::run_command(argc, argv); }
+int main(int argc, char** argv) { return raysweep::start(argc, argv); }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "results/number_text.h"
+#include "experiments/overhead/numbers_text.h"
 
 namespace raysweep {
 
@@ -35,14 +35,6 @@ std::string metg_text(const std::optional<Metg>& metg) {
   const std::string time = duration_text(metg->nanoseconds);
   if (metg->kind == Metg::Kind::bracketed) return time;
   return fmt::format("not bracketed ({} {})", metg->kind == Metg::Kind::at_most ? "≤" : ">", time);
-}
-
-std::string duration_text(double nanoseconds) {
-  const double size = std::abs(nanoseconds);
-  if (size < 1e3) return significant(nanoseconds) + " ns";
-  if (size < 1e6) return significant(nanoseconds / 1e3) + " µs";
-  if (size < 1e9) return significant(nanoseconds / 1e6) + " ms";
-  return significant(nanoseconds / 1e9) + " s";
 }
 
 }  // namespace raysweep

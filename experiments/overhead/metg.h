@@ -32,7 +32,4 @@ struct Metg {
 /// "1.234 µs", "not bracketed (≤ 6.100 ns)", "not bracketed (> 2.000 ms)".
 [[nodiscard]] std::string metg_text(const std::optional<Metg>& metg);
 
-/// "12.34 ns", "1.234 µs", "12.34 ms" or "1.234 s", of nanoseconds.
-[[nodiscard]] std::string duration_text(double nanoseconds);
-
 }  // namespace raysweep

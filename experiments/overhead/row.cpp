@@ -111,11 +111,26 @@ void measure_burn(Scheduler& scheduler, int threads, RowSamples& samples) {
   }
 }
 
+/// Throws RequestError for a runtime that the scheduler does not have.
+void check_runtime(const Subject& subject, const SchedulerInfo& info) {
+  if (subject.runtime.empty()) return;
+  std::vector<std::string_view> possible;
+  for (const RuntimeInfo& runtime : all_runtimes()) {
+    if (info.uses_runtime() && runtime.family == info.family) possible.push_back(runtime.name);
+  }
+  if (std::ranges::find(possible, subject.runtime) == possible.end())
+    throw RequestError(
+        fmt::format("--runtime: {} cannot run on \"{}\"; possible: {}", subject.scheduler, subject.runtime,
+                    possible.empty() ? "none to choose" : fmt::format("{}", fmt::join(possible, ", "))));
+}
+
 }  // namespace
 
 RowSamples measure_row(const RowRequest& request, const std::vector<std::string>& benchmark_flags) {
   const auto& [subject, parts, seconds, useful_at_once, given] = request;
   const SchedulerInfo* const info = find_scheduler(subject.scheduler);
+  if (!info) throw RequestError(fmt::format("--scheduler: unknown scheduler \"{}\"", subject.scheduler));
+  check_runtime(subject, *info);
   // Before there are workers, who might still be awake.
   const WorkSpeed speed = given.iteration > 0 || !parts.sizes ? given : measure_work_speed();
   const auto scheduler = make_scheduler(subject.scheduler, subject.options());

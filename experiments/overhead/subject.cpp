@@ -118,6 +118,7 @@ std::vector<Subject> waiting_subjects(std::span<const int> threads, bool beside_
     const SchedulerInfo& info = known_scheduler(name);
     for (const std::string& runtime : available_runtimes(info)) {
       for (const int count : threads) {
+        if (count == 1) continue;  // nobody waits
         for (const bool load : beside_load ? std::vector{false, true} : std::vector{false}) {
           for (const auto wait : {WaitPolicy::usual, WaitPolicy::active, WaitPolicy::passive})
             subjects.push_back({name, runtime, count, wait, {}, load});

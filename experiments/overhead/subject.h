@@ -39,7 +39,7 @@ struct Subject {
                                                       std::span<const int> threads, WaitPolicy wait);
 
 /// One static scheduler on each runtime whose workers can be told how to wait, in each way to wait: the team
-/// is woken, and nothing is shared out.
+/// is woken, and nothing is shared out. A single thread waits for nobody and is left out.
 [[nodiscard]] std::vector<Subject> waiting_subjects(std::span<const int> threads, bool beside_load);
 
 }  // namespace raysweep

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "experiments/overhead/numbers_text.h"
 #include "experiments/overhead/task_sweep.h"
 #include "schedulers/registry.h"
 
@@ -22,20 +23,13 @@ double drift(const OverheadRow& row) { return row.after.iteration / row.before.i
 
 std::string runtime_text(const Subject& subject) { return subject.runtime.empty() ? "–" : subject.runtime; }
 
-std::string with_interval(const Estimate& e) {
-  std::string text = duration_text(e.value);
-  if (e.interval)
-    text += fmt::format(" [{}, {}]", duration_text(e.interval->low), duration_text(e.interval->high));
-  return text;
-}
-
 Estimate nanoseconds(std::vector<double> seconds) {
   for (double& s : seconds) s *= 1e9;
   return estimate_median(std::move(seconds));
 }
 
 std::string region_text(const RowSamples& samples) {
-  return samples.region_seconds.empty() ? "–" : with_interval(nanoseconds(samples.region_seconds));
+  return samples.region_seconds.empty() ? "–" : duration_text(nanoseconds(samples.region_seconds));
 }
 
 std::string chunk_text(const OverheadRow& row, int processors) {
@@ -44,7 +38,7 @@ std::string chunk_text(const OverheadRow& row, int processors) {
   if (!cost) return "–";
   if (cost->interval && cost->interval->low <= 0)
     return fmt::format("≤ {}, within noise", duration_text(std::max(cost->interval->high, 0.0)));
-  return with_interval(*cost);
+  return duration_text(*cost);
 }
 
 std::string notes(const OverheadRow& row, int processors) {
@@ -73,19 +67,9 @@ std::string burn_text(const RowSamples& samples) {
   return duration_text(median(cpu)) + (quiet ? "" : ", and goes on after 1 s");
 }
 
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
-/// Value, low, high.
-void append_numbers(std::vector<std::string>& cells, const std::optional<Estimate>& e) {
-  const bool interval = e && e->interval;
-  cells.push_back(e ? number(e->value) : "");
-  cells.push_back(interval ? number(e->interval->low) : "");
-  cells.push_back(interval ? number(e->interval->high) : "");
-}
-
-void append_numbers(std::vector<std::string>& cells, const std::optional<Metg>& metg) {
+void add_cells(std::vector<std::string>& cells, const std::optional<Metg>& metg) {
   constexpr const char* kinds[] = {"bracketed", "at_most", "above"};
-  cells.push_back(metg ? number(metg->nanoseconds) : "");
+  cells.push_back(metg ? digits(metg->nanoseconds) : "");
   cells.emplace_back(metg ? kinds[static_cast<size_t>(metg->kind)] : "");
 }
 
@@ -171,12 +155,12 @@ Table scheduler_numbers(const std::vector<OverheadRow>& rows, int processors) {
     const Subject& s = row.subject;
     std::vector<std::string> cells{s.scheduler, s.runtime, s.wait_text(), std::to_string(s.threads),
                                    s.threads > processors ? "1" : "0"};
-    append_numbers(cells, region_numbers(row.samples));
-    append_numbers(cells, nanoseconds_per_chunk(row.samples, at_once(s, processors)));
-    cells.push_back(row.samples.chunks > 0 ? number(row.samples.chunks) : "");
-    for (const double bound : bounds) append_numbers(cells, find_metg(task_sizes(row, processors), bound));
+    add_cells(cells, region_numbers(row.samples));
+    add_cells(cells, nanoseconds_per_chunk(row.samples, at_once(s, processors)));
+    cells.push_back(row.samples.chunks > 0 ? digits(row.samples.chunks) : "");
+    for (const double bound : bounds) add_cells(cells, find_metg(task_sizes(row, processors), bound));
     for (const double ns : {row.before.call, row.before.iteration, row.after.iteration})
-      cells.push_back(number(ns));
+      cells.push_back(digits(ns));
     cells.push_back(notes(row, processors));
     table.rows.push_back(std::move(cells));
   }
@@ -192,9 +176,9 @@ Table task_size_numbers(const std::vector<OverheadRow>& rows, int processors) {
     for (size_t i = 0; i < sizes.size(); ++i) {
       const SizeSample& sample = row.samples.sizes[i];
       table.rows.push_back({row.subject.scheduler, row.subject.runtime, row.subject.wait_text(),
-                            std::to_string(row.subject.threads), number(row.samples.tasks),
-                            number(sample.iterations), number(sizes[i].nanoseconds),
-                            number(1e9 * sample.seconds), number(sizes[i].efficiency)});
+                            std::to_string(row.subject.threads), digits(row.samples.tasks),
+                            digits(sample.iterations), digits(sizes[i].nanoseconds),
+                            digits(1e9 * sample.seconds), digits(sizes[i].efficiency)});
     }
   }
   return table;
@@ -213,10 +197,10 @@ Table waiting_numbers(const std::vector<OverheadRow>& rows, int processors) {
                                    s.beside_load ? "1" : "0",
                                    std::to_string(s.threads),
                                    s.threads > processors ? "1" : "0"};
-    append_numbers(cells, region_numbers(row.samples));
+    add_cells(cells, region_numbers(row.samples));
     std::vector<double> cpu;
     for (const BurnSample& burn : row.samples.burns) cpu.push_back(1e9 * burn.cpu_seconds);
-    cells.push_back(cpu.empty() ? "" : number(median(cpu)));
+    cells.push_back(cpu.empty() ? "" : digits(median(cpu)));
     cells.emplace_back(std::ranges::all_of(row.samples.burns, &BurnSample::went_quiet) ? "1" : "0");
     cells.push_back(notes(row, processors));
     table.rows.push_back(std::move(cells));

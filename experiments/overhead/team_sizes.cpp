@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <CLI/CLI.hpp>
-
 #include "experiments/clock.h"
-#include "experiments/errors.h"
-#include "experiments/overhead/metg.h"
+#include "experiments/overhead/command.h"
+#include "experiments/overhead/numbers_text.h"
 #include "experiments/overhead/report.h"
 #include "results/statistics.h"
 
@@ -62,20 +60,13 @@ Changed measure(const Sizes& sizes, const TeamOptions& options) {
           estimate_median(change)};
 }
 
-std::string with_interval(const Estimate& e) {
-  std::string text = duration_text(e.value);
-  if (e.interval)
-    text += fmt::format(" [{}, {}]", duration_text(e.interval->low), duration_text(e.interval->high));
-  return text;
-}
-
 Table table_of(const std::vector<Changed>& list, int processors) {
   Table table;
   table.columns = {{"sizes"},    {"smaller alone"},  {"larger alone"},
                    {"in turns"}, {"a change costs"}, {"notes", false}};
   for (const Changed& c : list) {
-    table.rows.push_back({fmt::format("{}, {}", c.sizes.small, c.sizes.large), with_interval(c.small),
-                          with_interval(c.large), with_interval(c.alternating), with_interval(c.change),
+    table.rows.push_back({fmt::format("{}, {}", c.sizes.small, c.sizes.large), duration_text(c.small),
+                          duration_text(c.large), duration_text(c.alternating), duration_text(c.change),
                           c.sizes.large > processors ? "oversubscribed"
                           : c.sizes.small == 1       ? "a region of one thread needs no team"
                                                      : ""});
@@ -86,16 +77,10 @@ Table table_of(const std::vector<Changed>& list, int processors) {
 Table numbers_of(const std::vector<Changed>& list) {
   Table table;
   table.columns = {{"small"}, {"large"}};
-  for (const char* value : {"small_ns", "large_ns", "alternating_ns", "change_ns"}) {
-    for (const char* end : {"", "_low", "_high"}) table.columns.push_back({std::string(value) + end});
-  }
+  for (const char* value : {"small_ns", "large_ns", "alternating_ns", "change_ns"}) add_columns(table, value);
   for (const Changed& c : list) {
     std::vector<std::string> cells{std::to_string(c.sizes.small), std::to_string(c.sizes.large)};
-    for (const Estimate& e : {c.small, c.large, c.alternating, c.change}) {
-      cells.push_back(fmt::format("{:.6g}", e.value));
-      cells.push_back(e.interval ? fmt::format("{:.6g}", e.interval->low) : "");
-      cells.push_back(e.interval ? fmt::format("{:.6g}", e.interval->high) : "");
-    }
+    for (const Estimate& e : {c.small, c.large, c.alternating, c.change}) add_cells(cells, e);
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -124,7 +109,7 @@ int run(const TeamOptions& options) {
   return exit_done;
 }
 
-int run_command(int argc, char** argv) {
+int measure_teams(int argc, char** argv) {
   CLI::App app{"What does changing the size of an OpenMP team cost?", "overhead_team_sizes"};
   TeamOptions options;
   app.add_option("--rounds", options.rounds, "six are needed for an interval")
@@ -134,22 +119,11 @@ int run_command(int argc, char** argv) {
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_refused;
-  } catch (const RequestError& error) {
-    fmt::print(stderr, "overhead_team_sizes: {}\n", error.what());
-    return exit_refused;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "overhead_team_sizes: {}\n", error.what());
-    return exit_failed;
-  }
+  return run_command(app, argc, argv, [&] { return run(options); });
 }
 
 }  // namespace
 
 }  // namespace raysweep
 
-int main(int argc, char** argv) { return raysweep::run_command(argc, argv); }
+int main(int argc, char** argv) { return raysweep::measure_teams(argc, argv); }

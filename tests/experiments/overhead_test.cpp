@@ -7,6 +7,7 @@
 #include "experiments/overhead/comparison.h"
 #include "experiments/overhead/idle_burn.h"
 #include "experiments/overhead/metg.h"
+#include "experiments/overhead/numbers_text.h"
 #include "experiments/overhead/row_samples.h"
 #include "experiments/overhead/subject.h"
 #include "experiments/overhead/tables.h"
@@ -243,6 +244,17 @@ TEST(overhead_options, what_a_scheduler_cannot_vary_is_measured_once) {
   EXPECT_EQ(subjects[0].text(), "serial, 1 thread");
   EXPECT_EQ(subjects[1].text(), "thread_dynamic, 2 threads, passive");
   EXPECT_EQ(subjects[2].threads, 4);
+}
+
+TEST(overhead_options, ways_to_wait_are_measured_quiet_and_beside_load_where_somebody_waits) {
+  const std::vector threads{1, 2};
+  const auto quiet = waiting_subjects(threads, false), both = waiting_subjects(threads, true);
+  EXPECT_EQ(both.size(), 2 * quiet.size());
+  EXPECT_TRUE(std::all_of(both.begin(), both.end(), [](const Subject& s) { return s.threads == 2; }));
+  ASSERT_GE(quiet.size(), 4u);
+  EXPECT_EQ(quiet[1].text(), "thread_static, 2 threads, active");
+  EXPECT_EQ(quiet[3].text(), "thread_static, 2 threads, spin 10000");
+  EXPECT_EQ(both[7].text(), "thread_static, 2 threads, spin 10000, beside a busy process");
 }
 
 TEST(overhead_options, every_available_scheduler_is_measured_by_default) {

@@ -1,0 +1,34 @@
+// What all programs of this folder do with their command line.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "experiments/errors.h"
+#include "schedulers/registry.h"
+
+namespace raysweep {
+
+/// Parses, runs `action`, and tells what went wrong as a sentence. The exit code.
+template <class Action>
+int run_command(CLI::App& app, int argc, char** argv, Action action) {
+  const auto tell = [&](const std::exception& error, int code) {
+    fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+    return code;
+  };
+  try {
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_refused;
+  } catch (const RequestError& error) {
+    return tell(error, exit_refused);
+  } catch (const SchedulerError& error) {
+    return tell(error, exit_refused);
+  } catch (const std::exception& error) {
+    return tell(error, exit_failed);
+  }
+}
+
+}  // namespace raysweep
