@@ -84,7 +84,7 @@ const char* const waiting_explanation =
     "each "
     "a mean over many regions; `idle burn`: processor time that the process uses after a region until it "
     "goes "
-    "quiet, watched for up to a second.";
+    "quiet, watched for up to a second. Less than a tenth of a processor for 20 ms counts as quiet.";
 
 int run_lab(const LabOptions& options) {
   const Machine machine = detect_machine();
@@ -102,8 +102,10 @@ int run_lab(const LabOptions& options) {
   std::vector<OverheadRow> all;
   if (options.study != "waiting") {
     all = measure_rows(subjects, "region,chunks,sizes", measure);
-    report.parts.push_back({"overhead", schedulers_explanation, scheduler_table(all, processors),
-                            scheduler_numbers(all, processors)});
+    const std::string explanation =
+        fmt::format("{} Wait policy: {}.", schedulers_explanation, options.wait_policy);
+    report.parts.push_back(
+        {"overhead", explanation, scheduler_table(all, processors), scheduler_numbers(all, processors)});
     report.parts.push_back({"task_sizes", "", {}, task_size_numbers(all, processors)});
   }
   if (options.study != "schedulers") {

@@ -32,7 +32,7 @@ std::optional<Metg> find_metg(std::vector<TaskSize> sizes, double bound) {
 
 std::string metg_text(const std::optional<Metg>& metg) {
   if (!metg) return "–";
-  const std::string time = duration_text(metg->nanoseconds);
+  std::string time = duration_text(metg->nanoseconds);
   if (metg->kind == Metg::Kind::bracketed) return time;
   return fmt::format("not bracketed ({} {})", metg->kind == Metg::Kind::at_most ? "≤" : ">", time);
 }

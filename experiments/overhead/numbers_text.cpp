@@ -17,7 +17,7 @@ std::string duration_text(double nanoseconds) {
 }
 
 std::string duration_text(const Estimate& nanoseconds) {
-  const std::string text = duration_text(nanoseconds.value);
+  std::string text = duration_text(nanoseconds.value);
   if (!nanoseconds.interval) return text;
   const auto& [low, high] = *nanoseconds.interval;
   return fmt::format("{} [{}, {}]", text, duration_text(low), duration_text(high));

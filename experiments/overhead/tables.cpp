@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/overhead/numbers_text.h"
 #include "experiments/overhead/task_sweep.h"
