@@ -5,7 +5,9 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
+#include <atomic>
 #include <memory>
+#include <thread>
 
 #include "schedulers/binding.h"
 #include "schedulers/options.h"
@@ -15,23 +17,36 @@
 namespace raysweep {
 
 /// Binds each thread while it is in the arena, as the worker whose slot it has. Called for the thread that
-/// calls `execute` too, so whoever leaves gets back the processors that the maker of this object had.
+/// calls `execute` too, so whoever leaves gets back the processors that the maker of this object had. TBB's
+/// threads outlive the arena, and it tells nobody of those that leave after `observe(false)`: they are waited
+/// for, lest one come bound to the next arena. They leave within microseconds once there is nothing to do.
 class BindingObserver final : public tbb::task_scheduler_observer {
  public:
   BindingObserver(tbb::task_arena& arena, const Binding& binding)
       : tbb::task_scheduler_observer(arena), binding_(binding), before_(allowed_processors()) {
     observe(!binding_.none());
   }
-  ~BindingObserver() override { observe(false); }
+  ~BindingObserver() override {
+    while (inside_.load(std::memory_order_relaxed) > 0)
+      std::this_thread::yield();  // relaxed: carries no data
+    observe(false);
+  }
   BindingObserver(const BindingObserver&) = delete;
   BindingObserver& operator=(const BindingObserver&) = delete;
 
-  void on_scheduler_entry(bool) override { binding_.bind(tbb::this_task_arena::current_thread_index()); }
-  void on_scheduler_exit(bool) override { (void)bind_this_thread(before_); }
+  void on_scheduler_entry(bool) override {
+    inside_.fetch_add(1, std::memory_order_relaxed);
+    binding_.bind(tbb::this_task_arena::current_thread_index());
+  }
+  void on_scheduler_exit(bool) override {
+    (void)bind_this_thread(before_);
+    inside_.fetch_sub(1, std::memory_order_relaxed);
+  }
 
  private:
   const Binding& binding_;
   ProcessorSet before_;
+  std::atomic<int> inside_{0};  // threads bound now
 };
 
 class TbbScheduler : public Scheduler {
