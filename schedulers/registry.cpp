@@ -154,10 +154,8 @@ std::unique_ptr<Scheduler> make_scheduler(std::string_view name, const Scheduler
   check(name, options);
   try {
     auto scheduler = find_make(*entry, options)(options);
-    WorkerLog log(options.threads);
-    scheduler->run(
-        {static_cast<size_t>(options.threads)}, {}, [](size_t, size_t, int) {},
-        log);  // runtimes make threads late
+    // Runtimes make threads late, and no more than a short run needs: all are waited for.
+    (void)processors_of_workers(*scheduler, entry->info.uses_threads ? options.threads : 1);
     return scheduler;
   } catch (const std::system_error& error) {
     throw SchedulerError(fmt::format("{} threads cannot be made: {}", options.threads, error.what()));
