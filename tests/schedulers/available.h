@@ -1,6 +1,7 @@
 // The schedulers that can be made here, on each of their runtimes, for tests over the registry.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace raysweep {
 struct Tested {
   std::string scheduler, runtime;  // runtime: empty where there is no choice
   [[nodiscard]] std::string name() const { return scheduler + (runtime.empty() ? "" : "_on_" + runtime); }
+  friend void PrintTo(const Tested& tested, std::ostream* out) { *out << tested.name(); }
 };
 
 inline std::vector<Tested> available_schedulers() {
