@@ -72,7 +72,7 @@ class Meeting {
 
 /// `usual`, but `sanitized` where each access to memory costs ten times as much.
 template <class T>
-constexpr T unless_sanitized(T usual, [[maybe_unused]] T sanitized) {
+constexpr T unless_sanitized([[maybe_unused]] T usual, [[maybe_unused]] T sanitized) {
 #if defined(RAYSWEEP_TSAN) || defined(__SANITIZE_ADDRESS__)
   return sanitized;
 #else
