@@ -36,7 +36,7 @@ void WorkerLog::begin_run() {
   if (detail_ == LogDetail::counts) return;
   const auto begin = now();
   runs_.emplace_back(begin, begin);
-  for (WorkerEntry& entry : entries_) entry.last_end = begin;
+  for (WorkerEntry& entry : entries_) entry.last_end_ = begin;
 }
 
 void WorkerLog::end_run() {
@@ -44,49 +44,49 @@ void WorkerLog::end_run() {
   const auto end = now();
   runs_.back().second = end;
   for (WorkerEntry& entry : entries_) {
-    entry.idle += end - entry.last_end;
-    if (entry.open_size > 0) count(entry.chunk_sizes, entry.open_size, 1);
-    entry.open_size = 0;
+    entry.idle += end - entry.last_end_;
+    if (entry.open_size_ > 0) count(entry.chunk_sizes, entry.open_size_, 1);
+    entry.open_size_ = 0;
   }
 }
 
 void WorkerLog::note_processor(WorkerEntry& entry) {
   const int processor = sched_getcpu();
-  if (processor == entry.last_processor) return;
-  if (entry.last_processor >= 0) entry.migrations++;
+  if (processor == entry.last_processor_) return;
+  if (entry.last_processor_ >= 0) entry.migrations++;
   remember(entry.processors, processor);
-  entry.last_processor = processor;
+  entry.last_processor_ = processor;
 }
 
 void WorkerLog::note_first_processor(WorkerEntry& entry) { entry.processor = sched_getcpu(); }
 
 void WorkerLog::time_chunk(WorkerEntry& entry, size_t first_item, size_t item_count) {
   note_processor(entry);
-  if (entry.open_size > 0) count(entry.chunk_sizes, entry.open_size, 1);
-  entry.open_size = item_count;
-  entry.begun = now();
-  entry.scheduling += entry.begun - entry.last_end;
+  if (entry.open_size_ > 0) count(entry.chunk_sizes, entry.open_size_, 1);
+  entry.open_size_ = item_count;
+  entry.begun_ = now();
+  entry.scheduling += entry.begun_ - entry.last_end_;
   if (detail_ == LogDetail::events)
-    entry.events.push_back({entry.begun, entry.begun, first_item, item_count, entry.last_processor});
+    entry.events.push_back({entry.begun_, entry.begun_, first_item, item_count, entry.last_processor_});
 }
 
 void WorkerLog::begin_item(int worker, size_t item) {
   WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
-  const bool goes_on = item != 0 && item == entry.next_item && entry.chunks > 0;
+  const bool goes_on = item != 0 && item == entry.next_item_ && entry.chunks > 0;
   if (!goes_on) return begin_chunk(worker, item, 1);
   entry.items++;
-  entry.next_item++;
+  entry.next_item_++;
   if (detail_ == LogDetail::counts) return;
-  entry.open_size++;
-  entry.begun = now();
-  entry.scheduling += entry.begun - entry.last_end;
+  entry.open_size_++;
+  entry.begun_ = now();
+  entry.scheduling += entry.begun_ - entry.last_end_;
   if (detail_ == LogDetail::events) entry.events.back().item_count++;
 }
 
 void WorkerLog::end_timed_chunk(WorkerEntry& entry) {
-  entry.last_end = now();
-  entry.busy += entry.last_end - entry.begun;
-  if (detail_ == LogDetail::events) entry.events.back().end = entry.last_end;
+  entry.last_end_ = now();
+  entry.busy += entry.last_end_ - entry.begun_;
+  if (detail_ == LogDetail::events) entry.events.back().end = entry.last_end_;
 }
 
 int WorkerLog::workers_seen() const {

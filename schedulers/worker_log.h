@@ -38,10 +38,10 @@ struct alignas(128) WorkerEntry {
 
  private:
   friend class WorkerLog;
-  std::chrono::nanoseconds begun{0}, last_end{0};
-  int last_processor = -1;
-  size_t open_size = 0;  // of the last chunk, not yet in chunk_sizes
-  size_t next_item = 0;  // where it ended
+  std::chrono::nanoseconds begun_{0}, last_end_{0};
+  int last_processor_ = -1;
+  size_t open_size_ = 0;  // of the last chunk, not yet in chunk_sizes
+  size_t next_item_ = 0;  // where it ended
 };
 
 /// What all workers did, summed over the runs that were given this log.
@@ -55,7 +55,7 @@ class WorkerLog {
   void begin_chunk(int worker, size_t first_item, size_t item_count) {
     WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
     entry.items += item_count;
-    entry.next_item = first_item + item_count;
+    entry.next_item_ = first_item + item_count;
     const bool first = entry.chunks++ == 0;
     if (first) note_first_processor(entry);
     if (detail_ != LogDetail::counts) time_chunk(entry, first_item, item_count);

@@ -75,7 +75,7 @@ class OmpTaskloop final : public OmpScheduler {
   void run_team(const ItemSpace& items, const Chunk& chunk, const Work& work) override {
     const size_t size = chunk.size(items, threads());
 #pragma omp parallel num_threads(threads())
-#pragma omp single
+#pragma omp single nowait
 #pragma omp taskloop grainsize(1)
     for (size_t begin = 0; begin < items.count; begin += size)
       work(begin, std::min(begin + size, items.count), omp_get_thread_num());
