@@ -127,15 +127,16 @@ std::vector<int> owners(Scheduler& scheduler, int threads, size_t count) {
   return owner;
 }
 
-// Gotcha 9: an affinity_partitioner that is made anew for each run remembers nothing. One that is kept gives
-// most items to the worker that had them; not all, since whoever is idle may still steal.
+// Gotcha 9: an affinity_partitioner that is made anew for each run remembers nothing: then 55 to 65 % of the
+// items stay where they were, with four threads; with two it does not show. One that is kept gives all but a
+// few to the worker that had them; not all, since whoever is idle may still steal.
 TEST(gotchas, tbb_affinity_remembers_from_run_to_run_who_had_what) {
   NEEDS("tbb_affinity");
   EXPECT_GE(find_scheduler("tbb_affinity")->warmup_runs, 3);
-  constexpr int threads = 2;
-  constexpr size_t count = 256;
+  constexpr int threads = 4;
+  constexpr size_t count = 256, rounds = 5;
   const auto scheduler = make_scheduler("tbb_affinity", {.threads = threads});
-  size_t same = 0, rounds = 5;
+  size_t same = 0;
   for (int warm = 0; warm < 3; ++warm) (void)owners(*scheduler, threads, count);
   std::vector<int> before = owners(*scheduler, threads, count);
   for (size_t round = 0; round < rounds; ++round) {
@@ -143,7 +144,7 @@ TEST(gotchas, tbb_affinity_remembers_from_run_to_run_who_had_what) {
     for (size_t i = 0; i < count; ++i) same += now[i] == before[i];
     before = now;
   }
-  EXPECT_GT(same, rounds * count * 2 / 3) << "chance alone would keep half";
+  EXPECT_GT(same, rounds * count * 4 / 5);
 }
 
 // Gotcha 16: two workers that write the same cache line slow each other down. Film and item shapes are
