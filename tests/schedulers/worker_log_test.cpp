@@ -46,7 +46,7 @@ TEST(worker_log, busy_scheduling_and_idle_are_all_the_time_of_all_workers) {
     std::this_thread::sleep_for(std::chrono::microseconds(100 * (begin % 5)));
   };
   for (int run = 0; run < 3; ++run) scheduler->run({20}, {3}, body, log);
-  std::chrono::nanoseconds of_runs{0}, of_workers{0}, of_events{0};
+  std::chrono::nanoseconds of_runs{0}, of_workers{0};
   for (const auto& [begin, end] : log.runs()) of_runs += end - begin;
   for (const WorkerEntry& entry : log.entries()) {
     of_workers += entry.busy + entry.scheduling + entry.idle;
