@@ -21,6 +21,14 @@
 namespace raysweep {
 namespace {
 
+// Where rows are whole lines, tiles then share none with their neighbours.
+TEST(film, begins_with_a_cache_line) {
+  for (const int width : {1, 3, 16, 17, 640}) {
+    const Film film(width, 3);
+    EXPECT_EQ(reinterpret_cast<uintptr_t>(film.pixels().data()) % 64, 0u) << width;
+  }
+}
+
 TEST(film, the_hash_sees_every_bit_of_every_pixel) {
   Film film(3, 2);
   const std::string empty = film.hash();
