@@ -47,7 +47,10 @@ std::string Cell::spin_count_text() const {
   return spin_count ? std::to_string(*spin_count) : "default";
 }
 
-std::string Cell::environment_text() const { return uses_placement(scheduler) ? environment : "-"; }
+std::string Cell::environment_text() const {
+  const SchedulerInfo* const info = find_scheduler(scheduler);
+  return info && info->family == "std" ? "-" : environment;  // std::thread reads none of it
+}
 
 std::string Cell::lights_text() const { return lights ? std::to_string(*lights) : "scene"; }
 
@@ -81,9 +84,10 @@ void collapse_ignored_factors(Cell& cell) {
   if (!info->uses_threads) cell.threads = 1;
   if (!info->uses_chunk) cell.chunk = usual.chunk;
   cell.runtime = info->uses_runtime() ? cell.runtime_text() : usual.runtime;
+  if (info->family == "std") cell.environment = usual.environment;
   if (!uses_placement(cell.scheduler)) {
     cell.pin = usual.pin;
-    cell.environment = usual.environment;
+    if (cell.order == "lpt") cell.order = usual.order;  // what comes first matters to nobody who is alone
   }
   if (!info->uses_wait_policy()) cell.wait_policy = usual.wait_policy;
   if (!uses_spin_count(*info, cell.runtime)) cell.spin_count = usual.spin_count;

@@ -151,18 +151,23 @@ std::string set_spin_count(Cell& cell, const std::string& value) {
   return problem;
 }
 
-/// Only what runtimes read when they are loaded: other variables would be too late for this process.
+/// Only what runtimes read when they are loaded, since other variables would be too late for this process;
+/// and not what has a factor of its own.
 std::string set_environment(Cell& cell, const std::string& value) {
+  constexpr std::pair<std::string_view, std::string_view> factors[] = {{"OMP_WAIT_POLICY", "wait_policy"},
+                                                                       {"GOMP_SPINCOUNT", "spin_count"}};
   std::istringstream in(value);
   for (std::string word; in >> word;) {
-    const size_t equals = word.find('=');
-    const bool known = std::ranges::any_of(runtime_variables(),
-                                           [&](std::string_view prefix) { return word.starts_with(prefix); });
-    if (equals == std::string::npos || !known) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name == word || !is_runtime_variable(name)) {
       return fmt::format(
-          "environment = \"{}\" is not possible: NAME=VALUE, separated by spaces, with names that begin "
-          "with {}",
+          "environment = \"{}\" is not possible: NAME=VALUE, separated by spaces, with names that begin with "
+          "{}",
           value, fmt::join(runtime_variables(), ", "));
+    }
+    for (const auto& [variable, factor] : factors) {
+      if (name == variable)
+        return fmt::format("environment = \"{}\": {} has a factor of its own: {}", value, variable, factor);
     }
   }
   cell.environment = value;
@@ -254,6 +259,11 @@ std::span<const CellFactor> cell_factors() { return factors; }
 std::span<const std::string_view> runtime_variables() {
   static constexpr std::array<std::string_view, 4> prefixes{"OMP_", "GOMP_", "KMP_", "TBB_"};
   return prefixes;
+}
+
+bool is_runtime_variable(std::string_view name) {
+  return std::ranges::any_of(runtime_variables(),
+                             [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
 const CellFactor* find_factor(std::string_view name) {

@@ -1,10 +1,13 @@
 #include "experiments/launch.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
+#include "experiments/cell_factors.h"
 #include "experiments/cell_record.h"
 #include "experiments/clock.h"
 #include "experiments/render_job.h"
@@ -17,7 +20,7 @@ namespace raysweep {
 namespace {
 
 constexpr double warmup_seconds = 0.05;
-// Logging and measuring items may cost so much of a frame; where they would cost more, they are off.
+// Logging and measuring items may take so much of a frame; where they would take more, they are off.
 constexpr double affordable_share = 0.01;
 
 double timed_frame(RenderJob& job) {
@@ -72,28 +75,41 @@ double warm_up(RenderJob& job, const Cell& cell, Record& record) {
   const auto least = static_cast<size_t>(find_scheduler(cell.scheduler)->warmup_runs);
   std::vector<double>& frames = record.warmup_seconds;
   double total = 0;
+  size_t chunks = 0;  // of the last frame: no more workers can take part
   const auto waits_for_threads = [&] {
-    return job.log().workers_seen() < cell.threads && frames.size() < least + more_frames_at_most;
+    const auto hoped_for = static_cast<int>(std::min(static_cast<size_t>(cell.threads), chunks));
+    return job.log().workers_seen() < hoped_for && frames.size() < least + more_frames_at_most;
   };
   while (frames.size() < least || total < warmup_seconds || waits_for_threads()) {
+    const size_t before = job.log().chunks();
     frames.push_back(timed_frame(job));
     total += frames.back();
+    chunks = job.log().chunks() - before;
   }
   return frames.back();
 }
 
-/// Turns on what the frame can afford. Returns the detail of the log, and notes what it will cost.
-LogDetail choose_detail(RenderJob& job, const Cell& cell, double frame_seconds, Record& record) {
+/// The detail of the log that the frame can afford, and a note of what it will cost.
+LogDetail choose_detail(const RenderJob& job, const Cell& cell, double frame_seconds, Record& record) {
   const auto warm_frames = static_cast<double>(record.warmup_seconds.size());
-  const double event = log_cost_of_a_chunk(LogDetail::times).count();
-  const double chunks_a_worker = static_cast<double>(job.log().chunks()) / warm_frames / cell.threads;
-  const double items = static_cast<double>(job.item_count());
-  // Two readings of the clock an item are less than an entry of the log.
-  if (cell.scheduler == "serial" && items * event < affordable_share * frame_seconds) job.measure_items();
-  record.log_share = chunks_a_worker * event / frame_seconds;
+  const double entries_a_worker = static_cast<double>(job.log().entries_made()) / warm_frames / cell.threads;
+  record.log_share = entries_a_worker * log_cost_of_a_chunk(LogDetail::times).count() / frame_seconds;
   if (record.log_share < affordable_share) return LogDetail::times;
   record.log_share = 0;
   return LogDetail::counts;
+}
+
+/// What each item costs, in frames of their own after the timed ones, as many as take as long: reading the
+/// clock before and after each must not slow down the base of every speedup. None where it would say more of
+/// the clock than of the items.
+ItemSeconds measure_items(RenderJob& job, double frame_seconds, double seconds) {
+  // Two readings of the clock are less than an entry of the log.
+  const double reading = log_cost_of_a_chunk(LogDetail::times).count();
+  if (static_cast<double>(job.item_count()) * reading > affordable_share * frame_seconds) return {};
+  job.measure_items();
+  job.reset();
+  for (double total = 0; total == 0 || total < seconds;) total += timed_frame(job);
+  return job.item_seconds().value_or(ItemSeconds{});
 }
 
 /// Every timed frame must have run every item, and sent out the same rays.
@@ -141,10 +157,19 @@ void fill_in_workers(const RenderJob& job, Record& record) {
   record.processors_seen = static_cast<int>(processors.size());
   record.cores_seen = static_cast<int>(cores.size());
   for (const auto& [size, times] : log.chunk_sizes()) record.chunk_sizes.emplace_back(size, times);
-  record.item_seconds = job.item_seconds().value_or(ItemSeconds{});
+  record.imbalance = log.imbalance();
 }
 
 }  // namespace
+
+void forget_runtime_variables() {
+  std::vector<std::string> names;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string_view entry = *variable;
+    if (is_runtime_variable(entry)) names.emplace_back(entry.substr(0, entry.find('=')));
+  }
+  for (const std::string& name : names) unsetenv(name.c_str());
+}
 
 void run_launch(const Cell& cell, const LaunchOptions& options) {
   RenderJob job(cell);
@@ -170,6 +195,8 @@ void run_launch(const Cell& cell, const LaunchOptions& options) {
   } while (options.timed && total < options.seconds);
   fill_in_pictures(job, record);
   fill_in_workers(job, record);
+  if (options.timed && cell.scheduler == "serial")
+    record.item_seconds = measure_items(job, total / static_cast<double>(frames.size()), options.seconds);
   options.report(record);
   while (options.keep_busy && options.keep_busy()) job.frame();
 }

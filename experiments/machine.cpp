@@ -76,12 +76,9 @@ nlohmann::json to_json(const Machine& machine) {
   json["smt"] = t.has_smt();
   for (char** variable = environ; *variable; ++variable) {
     const std::string_view entry = *variable;
-    for (const std::string_view prefix : runtime_variables()) {
-      if (entry.starts_with(prefix)) {
-        const size_t equals = entry.find('=');
-        json["environment"][std::string(entry.substr(0, equals))] = entry.substr(equals + 1);
-      }
-    }
+    if (!is_runtime_variable(entry)) continue;
+    const size_t equals = entry.find('=');
+    json["environment"][std::string(entry.substr(0, equals))] = entry.substr(equals + 1);
   }
   return json;
 }

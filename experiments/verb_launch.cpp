@@ -42,6 +42,7 @@ int run(const std::string& cell_text, LaunchOptions options, bool together) {
     options.keep_busy = parent_is_there;
   }
   options.report = [](const Record& record) { print_line(to_line(record)); };
+  forget_runtime_variables();
   run_launch(cell, options);
   return exit_done;
 }

@@ -167,7 +167,15 @@ int run(const RunOptions& options, bool as_json) {
     return true;
   });
   if (options.dry_run) {
-    for (const Config& config : configs) print_plan(config, make_plan(config, machine.size()));
+    for (const Config& config : configs) {
+      const Plan plan = make_plan(config, machine.size());
+      if (as_json) {
+        json.push_back(to_json(plan));
+      } else {
+        print_plan(config, plan);
+      }
+    }
+    if (as_json) fmt::print("{}\n", json.dump(1));
     return exit_done;
   }
   const std::vector<Prepared> list = prepare(std::move(configs), options, machine);

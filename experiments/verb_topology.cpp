@@ -7,6 +7,7 @@
 #include "experiments/machine.h"
 #include "experiments/verbs.h"
 #include "results/table.h"
+#include "schedulers/options.h"
 
 namespace raysweep {
 
@@ -102,7 +103,8 @@ void add_topology(CommandLine& line) {
   CLI::App* const verb =
       add_verb(line, "topology", "the machine as hwloc sees it, and where each thread would go");
   static TopologyOptions options;
-  verb->add_option("--threads", options.threads, "so many threads")->check(CLI::Range(1, 1024));
+  verb->add_option("--threads", options.threads, "so many threads")
+      ->check(CLI::Range(min_threads, max_threads));
   verb->add_option("--pin", options.pin, "placed by this policy, see `raysweep list pins`");
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }

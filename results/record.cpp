@@ -52,16 +52,16 @@ void for_each_field(Each&& each) {
   RAYSWEEP_FIELD(order), RAYSWEEP_FIELD(wait_policy), RAYSWEEP_FIELD(spin_count), RAYSWEEP_FIELD(environment);
   RAYSWEEP_FIELD(library), RAYSWEEP_FIELD(cores_seen), RAYSWEEP_FIELD(processors_seen);
   RAYSWEEP_FIELD(chunk_sizes), RAYSWEEP_FIELD(item_seconds), RAYSWEEP_FIELD(empty_region_seconds);
-  RAYSWEEP_FIELD(log_share), RAYSWEEP_FIELD(shares_cache_lines);
+  RAYSWEEP_FIELD(log_share), RAYSWEEP_FIELD(imbalance), RAYSWEEP_FIELD(shares_cache_lines);
 #undef RAYSWEEP_FIELD
 }
 
 int first_schema_of(const std::string& field) {
   static const std::map<std::string, int> later{
-      {"pixel_tolerance", 2}, {"branches", 2},           {"left_out", 2},       {"order", 3},
-      {"wait_policy", 3},     {"spin_count", 3},         {"environment", 3},    {"library", 3},
-      {"cores_seen", 3},      {"chunk_sizes", 3},        {"item_seconds", 3},   {"empty_region_seconds", 3},
-      {"log_share", 3},       {"shares_cache_lines", 3}, {"processors_seen", 3}};
+      {"pixel_tolerance", 2}, {"branches", 2},    {"left_out", 2},           {"order", 3},
+      {"wait_policy", 3},     {"spin_count", 3},  {"environment", 3},        {"library", 3},
+      {"cores_seen", 3},      {"chunk_sizes", 3}, {"item_seconds", 3},       {"empty_region_seconds", 3},
+      {"log_share", 3},       {"imbalance", 3},   {"shares_cache_lines", 3}, {"processors_seen", 3}};
   const auto found = later.find(field);
   return found == later.end() ? 1 : found->second;
 }

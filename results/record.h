@@ -14,7 +14,8 @@ namespace raysweep {
 
 /// Older schemas are still read. 2 adds pixel_tolerance, branches and left_out; 3 what schedulers did: order,
 /// wait_policy, spin_count, environment, library (which `runtime` held before), cores_seen, chunk_sizes,
-/// item_seconds, empty_region_seconds, shares_cache_lines, log_share, and the workers' times.
+/// item_seconds, empty_region_seconds, shares_cache_lines, imbalance,
+/// log_share, and the workers' times.
 inline constexpr int record_schema = 3, oldest_record_schema = 1;
 
 /// What one worker did during the timed frames. The times add up to those of the frames; they and the
@@ -83,6 +84,7 @@ struct Record {
   ItemSeconds item_seconds;
   double empty_region_seconds = 0;  // a run of one empty item a thread; median
   bool shares_cache_lines = false;  // items side by side lie in one line of the film: false sharing
+  double imbalance = 0;             // of the workers' busy times, frame by frame: max/mean − 1
   double log_share = 0;             // of a frame that logging the workers' times cost; 0: it was off
   double build_seconds = 0;
   RayRecord rays;
@@ -93,6 +95,10 @@ struct Record {
   /// Frames a second: frames / total time, summed over processes.
   [[nodiscard]] double fps() const;
   /// Whether each thread is bound to a processor.
+  /// Processors that its threads could use: all, or those that they were bound to.
+  [[nodiscard]] int processors_to_use() const {
+    return is_bound() && processors_seen > 0 ? processors_seen : machine.pus;
+  }
   [[nodiscard]] bool is_bound() const { return pin != "none" && pin != "-"; }
 };
 

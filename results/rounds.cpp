@@ -17,11 +17,12 @@ std::string base_key(const Record& r, const std::string& scheduler, int threads,
                      int processes) {
   std::string key = std::to_string(processes);
   for (const FactorText& factor : factor_texts()) {
-    key += "|" + (factor.name == "scheduler"                                       ? scheduler
-                  : factor.name == "threads"                                       ? std::to_string(threads)
-                  : factor.name == "chunk"                                         ? chunk
-                  : scheduler == "serial" && only_of_threads.contains(factor.name) ? "-"
-                                                                                   : factor.text(r));
+    key += "|" + (factor.name == "scheduler" ? scheduler
+                  : factor.name == "threads" ? std::to_string(threads)
+                  : factor.name == "chunk"   ? chunk
+                  : scheduler == "serial" && factor.name == "order" && r.order == "lpt" ? "scanline"
+                  : scheduler == "serial" && only_of_threads.contains(factor.name)      ? "-"
+                                                                                        : factor.text(r));
   }
   return key;
 }

@@ -57,7 +57,7 @@ CellRow describe(const Record& planned, const std::vector<const Record*>& launch
     row.cell.cores_seen = std::max(row.cell.cores_seen, r->cores_seen);
     row.cell.processors_seen = std::max(row.cell.processors_seen, r->processors_seen);
   }
-  row.oversubscribed = row.launches > 0 && row.cell.threads > row.cell.machine.pus;
+  row.oversubscribed = row.launches > 0 && row.cell.threads > row.cell.processors_to_use();
   return row;
 }
 
@@ -80,6 +80,8 @@ CellRow make_row(const Record& planned, const Launches& all) {
   }
   const int processes = std::min(r.threads, r.machine.pus);
   if (processes == 1) return row;  // a process alone has no ceiling but itself
+  // The co-running processes have all processors: no ceiling for threads that are bound to fewer.
+  if (r.processors_to_use() < processes) return row;
   const Rounds& together = all.valid(serial_key(r, processes));
   row.ceiling = fps_ratio(together, serial);
   row.of_ceiling = fps_ratio(rounds, together);

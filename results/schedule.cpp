@@ -25,7 +25,7 @@ double busy_seconds(const Record& r) {
 std::optional<double> quality(const Record* own, const Record* serial) {
   const auto [sum, max] = serial->item_seconds;
   if (sum <= 0) return std::nullopt;
-  const int most = own->machine.pus > 0 ? own->machine.pus : own->threads;
+  const int most = own->processors_to_use() > 0 ? own->processors_to_use() : own->threads;
   const double bound = std::max(sum / std::min(own->threads, most), max);
   return bound * own->fps();
 }
@@ -36,10 +36,7 @@ std::optional<double> inflation(const Record* own, const Record* serial) {
 }
 
 std::optional<double> imbalance(const Record& r) {
-  const double busy = busy_seconds(r);
-  if (!logged(r) || busy <= 0) return std::nullopt;
-  const auto longest = std::ranges::max_element(r.workers, {}, &WorkerRecord::busy_seconds);
-  return longest->busy_seconds / (busy / static_cast<double>(r.workers.size())) - 1;
+  return logged(r) ? std::optional(r.imbalance) : std::nullopt;
 }
 
 std::optional<double> migrations(const Record& r) {

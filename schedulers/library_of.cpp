@@ -23,7 +23,9 @@ std::string build_id_in(const char* notes, size_t size) {
     ElfW(Nhdr) note;
     std::memcpy(&note, notes + at, sizeof note);
     const size_t text = at + sizeof note + padded(note.n_namesz);
-    if (note.n_type == NT_GNU_BUILD_ID) {
+    const size_t name = at + sizeof note;
+    const bool named = note.n_namesz == 4 && name + 4 <= size && std::memcmp(notes + name, "GNU", 4) == 0;
+    if (named && note.n_type == NT_GNU_BUILD_ID && text + note.n_descsz <= size) {
       std::string id;
       for (size_t i = 0; i < note.n_descsz; ++i) {
         const auto byte = static_cast<unsigned char>(notes[text + i]);

@@ -27,8 +27,14 @@ struct Library {
   std::string file, build_id;  // the linker's fingerprint, in hexadecimal digits: versions may share a name
 };
 
+/// Differs between programs and modules that were built of different sources and would misread each other.
+inline constexpr size_t shared_layout =
+    ((sizeof(WorkerEntry) * 4096 + sizeof(WorkerLog)) * 4096 + sizeof(SchedulerOptions)) * 4096 +
+    sizeof(ItemSpace);
+
 /// What a module offers.
 struct Module {
+  size_t layout = 0;  // shared_layout
   std::vector<ModuleEntry> schedulers;
   std::string version;  // of the runtime, as far as it tells one
   Library library;      // of the runtime that this process really uses

@@ -22,6 +22,9 @@ function(raysweep_add_foreign_openmp runtime compiler flag)
   if(RAYSWEEP_SANITIZE MATCHES thread)
     list(APPEND flags -DRAYSWEEP_TSAN)
   endif()
+  if(CMAKE_COMPILE_WARNING_AS_ERROR)
+    list(APPEND flags -Werror)
+  endif()
   set(module ${RAYSWEEP_MODULE_DIR}/raysweep_${runtime}.so)
   add_custom_command(OUTPUT ${module}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${RAYSWEEP_MODULE_DIR}

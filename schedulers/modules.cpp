@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
@@ -43,6 +44,13 @@ std::vector<std::string> openmp_runtimes_here() {
   return found;
 }
 
+/// Whether an OpenMP runtime is in this process already: it has read its environment then.
+bool is_here(const RuntimeInfo& info) {
+  const std::vector<std::string> here = openmp_runtimes_here();
+  return std::ranges::any_of(
+      here, [&](const std::string& there) { return there.starts_with(fmt::format("{}.so", info.name)); });
+}
+
 struct Opened {
   const Module* module = nullptr;
   std::string problem;
@@ -64,14 +72,19 @@ std::string conflict(const RuntimeInfo& info) {
 Opened open_module(const RuntimeInfo& info) {
   const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "modules";
   const std::string file = (folder / fmt::format("raysweep_{}.so", info.name)).string();
-  if (!std::filesystem::exists(file))
-    return {nullptr, fmt::format("not built: {} was not found when raysweep was configured", info.needs)};
+  if (!std::filesystem::exists(file)) {
+    return {nullptr, fmt::format("not built: {} was not found when raysweep was configured; there is no {}",
+                                 info.needs, file)};
+  }
   if (std::string problem = conflict(info); !problem.empty()) return {nullptr, std::move(problem)};
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) return {nullptr, fmt::format("not loadable: {}", dlerror())};
   const auto function = reinterpret_cast<ModuleFunction>(dlsym(library, module_symbol));
   if (!function) return {nullptr, fmt::format("not loadable: {} is no raysweep module", file)};
   const Module* const module = function();
+  if (module->layout != shared_layout)
+    return {nullptr,
+            fmt::format("not usable: {} is of another build than this program; build all targets", file)};
   if (info.family == "openmp" &&
       !file_name(module->library.file).starts_with(fmt::format("{}.so", info.name)))
     return {nullptr,
@@ -120,27 +133,37 @@ std::string read_all(int descriptor) {
   return text;
 }
 
-ModuleReport ask_in_a_child(const RuntimeInfo& info) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) return problem("not known: there is no pipe to ask its module through");
-  const pid_t child = fork();
-  if (child == 0) {
+/// In the child: tries the module, writes what it says of itself, and ends.
+[[noreturn]] void answer_and_end(const RuntimeInfo& info, int out) {
+  try {
     const std::string text = to_lines(report_of(open_module(info)));
     for (size_t at = 0; at < text.size();) {
-      const ssize_t n = write(ends[1], text.data() + at, text.size() - at);
+      const ssize_t n = write(out, text.data() + at, text.size() - at);
       if (n <= 0) break;
       at += static_cast<size_t>(n);
     }
     _exit(0);
+  } catch (...) {
+    _exit(1);  // whatever it is, it must not go on as the parent's program
   }
+}
+
+ModuleReport ask_in_a_child(const RuntimeInfo& info) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return problem("not known: there is no pipe to ask its module through");
+  const pid_t child = fork();
+  if (child == 0) answer_and_end(info, ends[1]);
   close(ends[1]);
   const std::string text = child > 0 ? read_all(ends[0]) : std::string();
   close(ends[0]);
   int status = 0;
-  if (child > 0) waitpid(child, &status, 0);
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (child < 0) return problem("not known: there is no process to try its module in");
   if (text.empty()) {
-    return problem(fmt::format("not loadable: the process that tried it ended by signal {}",
-                               WIFSIGNALED(status) ? WTERMSIG(status) : 0));
+    return problem(
+        WIFSIGNALED(status)
+            ? fmt::format("not loadable: the process that tried it ended by signal {}", WTERMSIG(status))
+            : fmt::format("not loadable: the process that tried it ended with code {}", WEXITSTATUS(status)));
   }
   return from_lines(text);
 }
@@ -185,6 +208,10 @@ const Module& load_module(const std::string& runtime, const SchedulerOptions& op
   const std::scoped_lock lock(modules_mutex());
   auto known = loaded_modules().find(runtime);
   if (known == loaded_modules().end()) {
+    const bool told = options.wait != WaitPolicy::usual || options.spin_count;
+    if (told && is_here(info_of(runtime)))
+      throw SchedulerError(
+          fmt::format("{} was loaded before it could be told how to wait (is LD_PRELOAD set?)", runtime));
     set_environment(runtime, options);
     known = loaded_modules()
                 .emplace(runtime, Loaded{open_module(info_of(runtime)), options.wait, options.spin_count})

@@ -8,6 +8,8 @@
 #include <map>
 #include <tuple>
 
+#include "schedulers/options.h"
+
 namespace raysweep {
 
 namespace {
@@ -158,7 +160,8 @@ std::optional<HyperThreadingPlacements> hyper_threading_placements(const Topolog
   if (cores.empty()) return std::nullopt;
   const int fastest = cores.begin()->first.first;
   std::erase_if(cores, [&](const auto& core) { return core.first.first != fastest; });
-  if (cores.size() > 1 && cores.size() % 2 == 1) cores.erase(std::prev(cores.end()));
+  while (cores.size() > max_threads / 2 || (cores.size() > 1 && cores.size() % 2 == 1))
+    cores.erase(std::prev(cores.end()));
   HyperThreadingPlacements placements{static_cast<int>(cores.size()), {}, {}, {}};
   for (const auto& [core, processors] : cores) {
     const bool in_first_half = placements.one_each.size() < cores.size() / 2;

@@ -36,7 +36,8 @@ struct HyperThreadingPlacements {
 };
 
 /// None where no core has two hardware threads. On a hybrid machine, the fastest kind of core that has them;
-/// an odd core is left out, so that half of them is a whole number.
+/// an odd core is left out, so that half of them is a whole number, and cores for which there may be no more
+/// threads.
 [[nodiscard]] std::optional<HyperThreadingPlacements> hyper_threading_placements(const Topology& topology);
 
 /// Processors as `pin` takes them: "0,2,4-7".

@@ -12,14 +12,16 @@ namespace raysweep {
 class Work;
 
 /// A pool of workers and a way to share items among them. The constructor owns the pool; threads are warm
-/// from the first run on.
+/// from the first run on. Of schedulers that bind the thread that made them, one at a time is meant to live:
+/// it gives that thread its former processors back when it ends.
 class Scheduler {
  public:
   virtual ~Scheduler() = default;
 
   /// Runs every item once. When a body throws, chunks not yet begun are dropped, and the first error is
-  /// rethrown here after all workers stopped; the scheduler stays usable. To be called by the thread that
-  /// made the scheduler.
+  /// rethrown here after all workers stopped; the scheduler stays usable. Throws std::system_error if it
+  /// makes threads in each run and the system has no more. To be called by the thread that made the
+  /// scheduler.
   void run(const ItemSpace& items, const Chunk& chunk, const Body& body, WorkerLog& log);
 
  private:

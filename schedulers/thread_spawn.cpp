@@ -19,6 +19,7 @@ class ThreadSpawn final : public Scheduler {
  private:
   void run_items(const ItemSpace& items, const Chunk&, const Work& work) override {
     std::vector<std::jthread> workers;  // joined on the way out, also when a thread cannot be made
+    workers.reserve(threads_);
     for (size_t part = 0; part < threads_; ++part) {
       const size_t begin = block_begin(items.count, part, threads_),
                    end = block_begin(items.count, part + 1, threads_);

@@ -30,6 +30,8 @@ void outline(hwloc_topology_t topology, hwloc_obj_t object, int indent, std::vec
   if (object->os_index != HWLOC_UNKNOWN_INDEX) line += fmt::format(" {}", object->os_index);
   if (attributes[0] != '\0') line += fmt::format(" ({})", attributes.data());
   lines.push_back(line);
+  for (hwloc_obj_t memory = object->memory_first_child; memory; memory = memory->next_sibling)
+    outline(topology, memory, indent + 1, lines);
   for (unsigned i = 0; i < object->arity; ++i) outline(topology, object->children[i], indent + 1, lines);
 }
 
@@ -55,8 +57,11 @@ hwloc_obj_t last_cache(hwloc_obj_t pu) {
 }
 
 int speed_of(hwloc_topology_t topology, hwloc_obj_t pu) {
-  // Kinds are sorted by hwloc, the most power-hungry last.
-  return std::max(0, hwloc_cpukinds_get_by_cpuset(topology, pu->cpuset, 0));
+  const int kind = hwloc_cpukinds_get_by_cpuset(topology, pu->cpuset, 0);
+  int efficiency = -1;  // hwloc's rank, the most power-hungry highest; −1: it cannot tell
+  if (kind >= 0)
+    hwloc_cpukinds_get_info(topology, static_cast<unsigned>(kind), nullptr, &efficiency, nullptr, nullptr, 0);
+  return std::max(0, efficiency);
 }
 
 }  // namespace

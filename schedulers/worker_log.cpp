@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace raysweep {
 
 namespace {
+
+/// Follows no item.
+constexpr size_t no_item = std::numeric_limits<size_t>::max();
 
 using Sizes = std::vector<std::pair<size_t, size_t>>;
 
@@ -33,21 +37,28 @@ WorkerLog::WorkerLog(int threads, LogDetail detail)
 std::chrono::nanoseconds WorkerLog::now() const { return std::chrono::steady_clock::now() - start_; }
 
 void WorkerLog::begin_run() {
+  for (WorkerEntry& entry : entries_) entry.next_item_ = no_item;  // a chunk ends with its run
   if (detail_ == LogDetail::counts) return;
   const auto begin = now();
   runs_.emplace_back(begin, begin);
-  for (WorkerEntry& entry : entries_) entry.last_end_ = begin;
+  for (WorkerEntry& entry : entries_) {
+    entry.last_end_ = begin;
+    entry.busy_before_ = entry.busy;
+  }
 }
 
 void WorkerLog::end_run() {
   if (detail_ == LogDetail::counts) return;
   const auto end = now();
   runs_.back().second = end;
+  std::chrono::nanoseconds busiest{0};
   for (WorkerEntry& entry : entries_) {
+    busiest = std::max(busiest, entry.busy - entry.busy_before_);
     entry.idle += end - entry.last_end_;
     if (entry.open_size_ > 0) count(entry.chunk_sizes, entry.open_size_, 1);
     entry.open_size_ = 0;
   }
+  busiest_ += busiest;
 }
 
 void WorkerLog::note_processor(WorkerEntry& entry) {
@@ -72,9 +83,10 @@ void WorkerLog::time_chunk(WorkerEntry& entry, size_t first_item, size_t item_co
 
 void WorkerLog::begin_item(int worker, size_t item) {
   WorkerEntry& entry = entries_[static_cast<size_t>(worker)];
-  const bool goes_on = item != 0 && item == entry.next_item_ && entry.chunks > 0;
+  const bool goes_on = item == entry.next_item_;
   if (!goes_on) return begin_chunk(worker, item, 1);
   entry.items++;
+  entry.joined++;
   entry.next_item_++;
   if (detail_ == LogDetail::counts) return;
   entry.open_size_++;
@@ -97,6 +109,19 @@ size_t WorkerLog::chunks() const {
   size_t sum = 0;
   for (const WorkerEntry& entry : entries_) sum += entry.chunks;
   return sum;
+}
+
+size_t WorkerLog::entries_made() const {
+  size_t sum = 0;
+  for (const WorkerEntry& entry : entries_) sum += entry.chunks + entry.joined;
+  return sum;
+}
+
+double WorkerLog::imbalance() const {
+  std::chrono::duration<double> busy{0};
+  for (const WorkerEntry& entry : entries_) busy += entry.busy;
+  if (busy.count() <= 0) return 0;
+  return std::chrono::duration<double>(busiest_) / busy * static_cast<double>(entries_.size()) - 1;
 }
 
 Sizes WorkerLog::chunk_sizes() const {

@@ -26,6 +26,7 @@ struct ChunkEvent {
 /// processors fetch them in pairs.
 struct alignas(128) WorkerEntry {
   size_t items = 0, chunks = 0;
+  size_t joined = 0;      // calls that went on with a chunk: see begin_item
   int processor = -1;     // where its first chunk ran; −1: it ran none
   size_t migrations = 0;  // chunks that began on another processor than the one before
 
@@ -40,8 +41,9 @@ struct alignas(128) WorkerEntry {
   friend class WorkerLog;
   std::chrono::nanoseconds begun_{0}, last_end_{0};
   int last_processor_ = -1;
-  size_t open_size_ = 0;  // of the last chunk, not yet in chunk_sizes
-  size_t next_item_ = 0;  // where it ended
+  size_t open_size_ = 0;                     // of the last chunk, not yet in chunk_sizes
+  size_t next_item_ = 0;                     // where it ended
+  std::chrono::nanoseconds busy_before_{0};  // this run
 };
 
 /// What all workers did, summed over the runs that were given this log.
@@ -77,6 +79,11 @@ class WorkerLog {
   /// Workers that ran at least one item.
   [[nodiscard]] int workers_seen() const;
   [[nodiscard]] size_t chunks() const;
+  /// How often the log was written to: chunks, and the items that were told one by one.
+  [[nodiscard]] size_t entries_made() const;
+  /// How much longer the busiest worker of a run was busy than the mean one, over all runs: max/mean − 1. 0
+  /// where there are no times. Run by run: what one run has too much, another must not make up for.
+  [[nodiscard]] double imbalance() const;
   /// All workers' chunk sizes together.
   [[nodiscard]] std::vector<std::pair<size_t, size_t>> chunk_sizes() const;
 
@@ -88,6 +95,7 @@ class WorkerLog {
   void end_timed_chunk(WorkerEntry& entry);
 
   LogDetail detail_;
+  std::chrono::nanoseconds busiest_{0};  // sum over runs of the most that one worker was busy
   std::chrono::steady_clock::time_point start_;
   std::vector<WorkerEntry> entries_;
   std::vector<std::pair<std::chrono::nanoseconds, std::chrono::nanoseconds>> runs_;

@@ -51,7 +51,8 @@ Compared compare_loop(const DirectLoop& loop, const DirectProgram& program, cons
   WorkerLog log(options.threads);
   const auto items = static_cast<size_t>(options.items);
   const auto direct = [&] {
-    return nanoseconds_of_an_item([&](size_t n) { loop.run(n, body); }, items, useful_at_once);
+    return nanoseconds_of_an_item([&](size_t n) { loop.run(n, body, item_iterations); }, items,
+                                  useful_at_once);
   };
   const auto ours = [&] {
     return nanoseconds_of_an_item([&](size_t n) { scheduler->run({n}, {1}, body, log); }, items,
@@ -109,7 +110,7 @@ std::string explanation(const DirectOptions& options, int processors) {
 int compare_loops(const DirectProgram& program, DirectOptions options) {
   const Machine machine = detect_machine();
   const int processors = machine.topology.processors();
-  if (options.threads == 0) options.threads = processors;
+  if (options.threads == 0) options.threads = std::min(processors, max_threads);
   if (!options.out.empty()) make_report_folder(options.out);
   std::vector<Compared> list;
   for (const DirectLoop& loop : program.loops(options.threads))

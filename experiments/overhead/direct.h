@@ -2,6 +2,7 @@
 // turns.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ namespace raysweep {
 struct DirectLoop {
   std::string text;       // how it is written by hand
   std::string scheduler;  // that does the same
-  std::function<void(size_t items, const Body& body)> run;
+  /// Hands each chunk to `body`; a loop whose chunks only the compiler knows does each item's work itself.
+  std::function<void(size_t items, const Body& body, std::uint64_t item_iterations)> run;
 };
 
 struct DirectProgram {

@@ -1,6 +1,7 @@
 // OpenMP by hand against the schedulers on OpenMP. Compiled like the module of this compiler, on its runtime.
 #include <omp.h>
 
+#include "experiments/overhead/busy_work.h"
 #include "experiments/overhead/direct.h"
 
 namespace raysweep {
@@ -10,23 +11,23 @@ namespace {
 std::vector<DirectLoop> loops(int threads) {
   omp_set_dynamic(0);  // as the schedulers: the team is as large as asked for
   return {{"schedule(dynamic, 1)", "omp_dynamic",
-           [threads](size_t items, const Body& body) {
+           [threads](size_t items, const Body& body, std::uint64_t) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
              for (size_t i = 0; i < items; ++i) body(i, i + 1, omp_get_thread_num());
            }},
           {"schedule(static, 1)", "omp_static_chunk",
-           [threads](size_t items, const Body& body) {
+           [threads](size_t items, const Body& body, std::uint64_t) {
 #pragma omp parallel for schedule(static, 1) num_threads(threads)
              for (size_t i = 0; i < items; ++i) body(i, i + 1, omp_get_thread_num());
            }},
           {"schedule(static)", "omp_static",
-           [threads](size_t items, const Body& body) {
+           [threads](size_t items, const Body&, std::uint64_t iterations) {
 #pragma omp parallel for schedule(static) num_threads(threads)
-             for (size_t i = 0; i < items; ++i) body(i, i + 1, omp_get_thread_num());
+             for (size_t i = 0; i < items; ++i) busy_work(iterations);
            }},
-          {"schedule(guided)", "omp_guided", [threads](size_t items, const Body& body) {
+          {"schedule(guided)", "omp_guided", [threads](size_t items, const Body&, std::uint64_t iterations) {
 #pragma omp parallel for schedule(guided) num_threads(threads)
-             for (size_t i = 0; i < items; ++i) body(i, i + 1, omp_get_thread_num());
+             for (size_t i = 0; i < items; ++i) busy_work(iterations);
            }}};
 }
 

@@ -37,11 +37,17 @@ void run(Arena& arena, size_t items, const Body& body) {
 std::vector<DirectLoop> loops(int threads) {
   const auto arena = std::make_shared<Arena>(threads);
   return {{"parallel_for, simple_partitioner, grain 1", "tbb_simple",
-           [arena](size_t items, const Body& body) { run<tbb::simple_partitioner>(*arena, items, body); }},
+           [arena](size_t items, const Body& body, std::uint64_t) {
+             run<tbb::simple_partitioner>(*arena, items, body);
+           }},
           {"parallel_for, auto_partitioner, grain 1", "tbb_auto",
-           [arena](size_t items, const Body& body) { run<tbb::auto_partitioner>(*arena, items, body); }},
+           [arena](size_t items, const Body& body, std::uint64_t) {
+             run<tbb::auto_partitioner>(*arena, items, body);
+           }},
           {"parallel_for, static_partitioner, grain 1", "tbb_static",
-           [arena](size_t items, const Body& body) { run<tbb::static_partitioner>(*arena, items, body); }}};
+           [arena](size_t items, const Body& body, std::uint64_t) {
+             run<tbb::static_partitioner>(*arena, items, body);
+           }}};
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ std::vector<std::string> available_runtimes(const SchedulerInfo& info) {
 }
 
 int parse_thread_count(const std::string& word, int cores, int processors) {
-  if (word == "cores") return cores;
-  if (word == "processors") return processors;
+  if (word == "cores") return std::min(cores, max_threads);
+  if (word == "processors") return std::min(processors, max_threads);
   const auto number = parse_number<int>(word);
   if (number && *number >= min_threads && *number <= max_threads) return *number;
   throw RequestError(

@@ -85,7 +85,8 @@ class OmpTaskloop final : public OmpScheduler {
 }  // namespace
 
 extern "C" const Module* raysweep_module() {
-  static const Module module{{{"omp_static", make_omp<OmpStatic>},
+  static const Module module{shared_layout,
+                             {{"omp_static", make_omp<OmpStatic>},
                               {"omp_static_chunk", make_omp<OmpStaticChunk>},
                               {"omp_dynamic", make_omp<OmpDynamic>},
                               {"omp_guided", make_omp<OmpGuided>},

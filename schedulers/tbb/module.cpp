@@ -65,7 +65,8 @@ class TbbTaskGroup final : public TbbScheduler {
 }  // namespace
 
 extern "C" const Module* raysweep_module() {
-  static const Module module{{{"tbb_auto", make_tbb<TbbParallelFor<tbb::auto_partitioner>>},
+  static const Module module{shared_layout,
+                             {{"tbb_auto", make_tbb<TbbParallelFor<tbb::auto_partitioner>>},
                               {"tbb_simple", make_tbb<TbbParallelFor<tbb::simple_partitioner>>},
                               {"tbb_static", make_tbb<TbbParallelFor<tbb::static_partitioner>>},
                               {"tbb_affinity", make_tbb<TbbParallelFor<tbb::affinity_partitioner>>},

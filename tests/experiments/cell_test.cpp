@@ -56,7 +56,8 @@ TEST(cell, every_factor_is_in_the_key) {
   EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "runtime is for OpenMP alone";
   for (const auto& [name, value] : others) {
     Cell a, b;
-    a.scheduler = b.scheduler = "thread_dynamic";
+    // std::thread reads no environment; TBB's schedulers have no say in how they wait.
+    a.scheduler = b.scheduler = std::string(name) == "environment" ? "tbb_auto" : "thread_dynamic";
     set_factor(b, *find_factor(name), value);
     EXPECT_NE(a.key(), b.key()) << name;
   }
@@ -115,6 +116,10 @@ TEST(factors, refuse_by_a_sentence_with_what_is_possible) {
   EXPECT_EQ(problem("order", "random"), "unknown order \"random\"; possible: scanline, morton, hilbert, lpt");
   EXPECT_EQ(problem("spin_count", "-1"),
             "spin_count = -1 is out of range: a whole number from 0 to 1000000000 is possible");
+  EXPECT_EQ(
+      problem("environment", "KMP_BLOCKTIME=0 OMP_WAIT_POLICY=active"),
+      "environment = \"KMP_BLOCKTIME=0 OMP_WAIT_POLICY=active\": OMP_WAIT_POLICY has a factor of its own: "
+      "wait_policy");
   EXPECT_EQ(problem("environment", "PATH=/tmp"),
             "environment = \"PATH=/tmp\" is not possible: NAME=VALUE, separated by spaces, with names that "
             "begin with "

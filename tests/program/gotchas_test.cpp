@@ -82,5 +82,26 @@ TEST(gotchas, processors_that_are_not_allowed_are_not_there) {
   EXPECT_EQ(plan.out.find("threads=3"), std::string::npos) << plan.out;
 }
 
+/// Gotcha 3: what a user's shell says of waiting must not pass for the default; the cell alone decides.
+TEST(gotchas, launches_do_not_inherit_what_runtimes_read) {
+  const TemporaryFolder folder;
+  const std::string config =
+      folder.write("x.toml",
+                   "experiment = \"x\"\n[sweep]\nscheduler = \"omp_dynamic\"\nthreads = 2\nwidth = "
+                   "32\nheight = 24\nenvironment = "
+                   "[\"\", \"OMP_DISPLAY_ENV=true\"]\n[measure]\nlaunches = 1\nseconds = 0\n");
+  setenv("OMP_THREAD_LIMIT", "1", 1);  // would leave one thread of two
+  const ProgramResult result = run_program({"run", config, "--out", folder.file("run"), "--json"});
+  unsetenv("OMP_THREAD_LIMIT");
+  if (result.exit_code == 2) GTEST_SKIP() << "no OpenMP here: " << result.err;
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto document = nlohmann::json::parse(result.out);
+  for (const auto& row : document.at(0).at("rows")) {
+    if (row.at("scheduler") == "omp_dynamic") {
+      EXPECT_EQ(row.at("threads_seen"), row.at("threads"));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raysweep

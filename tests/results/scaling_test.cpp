@@ -127,6 +127,22 @@ TEST(scaling, fewer_threads_than_asked_are_told) {
   EXPECT_EQ(summarise(records, order, 0.5)[2].notes.front(), "1 of 2 threads ran");
 }
 
+TEST(scaling, threads_bound_to_fewer_processors_are_oversubscribed_and_have_no_ceiling) {
+  auto records = drifting_run();
+  for (Record& r : records) {
+    if (r.threads < 2) continue;
+    r.pin = "one_core";
+    r.processors_seen = r.cores_seen = 1;
+  }
+  auto cells = order;
+  for (Record& r : cells) {
+    if (r.threads >= 2) r.pin = "one_core";
+  }
+  const auto rows = summarise(records, cells, 0.5);
+  EXPECT_TRUE(rows[2].oversubscribed) << "two threads on one of four processors";
+  EXPECT_FALSE(rows[2].ceiling) << "co-running processes had them all";
+}
+
 TEST(scaling, items_that_share_cache_lines_are_marked_where_several_threads_write_them) {
   auto records = drifting_run(), cells = order;
   for (Record& r : records) r.shares_cache_lines = true;

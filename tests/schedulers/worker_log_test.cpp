@@ -24,6 +24,31 @@ TEST(worker_log, single_items_are_counted_as_runs_of_successive_ones) {
   EXPECT_EQ(log.chunk_sizes(), (Sizes{{1, 1}, {2, 1}, {3, 1}}));
 }
 
+TEST(worker_log, a_run_goes_on_with_no_chunk_of_the_run_before) {
+  WorkerLog log(1, LogDetail::events);
+  for (const size_t i : {0, 1}) {
+    log.begin_run();
+    log.begin_item(0, i);
+    log.end_chunk(0);
+    log.end_run();
+  }
+  EXPECT_EQ(log.chunks(), 2u);
+  EXPECT_EQ(log.entries()[0].events.size(), 2u);
+  EXPECT_EQ(log.chunk_sizes(), (Sizes{{1, 2}}));
+}
+
+TEST(worker_log, imbalance_of_one_run_is_not_made_up_for_by_another) {
+  WorkerLog log(2, LogDetail::times);
+  for (const int busy : {0, 1}) {
+    log.begin_run();
+    log.begin_chunk(busy, 0, 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    log.end_chunk(busy);
+    log.end_run();
+  }
+  EXPECT_NEAR(log.imbalance(), 1, 1e-9) << "in each run one worker did it all";
+}
+
 TEST(worker_log, neighbouring_chunks_stay_two_chunks) {
   WorkerLog log(2, LogDetail::times);
   log.begin_run();
