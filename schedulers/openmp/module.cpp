@@ -70,6 +70,8 @@ class OmpAuto final : public OmpScheduler {
 
 /// taskloop over chunks, a task for each. Over items, grainsize(chunk) would let the runtime make tasks of up
 /// to twice as many items as asked for.
+/// libgomp 12 runs a taskloop of more than 64 tasks a thread by the thread that meets it, alone; the record
+/// then shows one worker. Ask for larger chunks, such as 32/thread.
 class OmpTaskloop final : public OmpScheduler {
   using OmpScheduler::OmpScheduler;
   void run_team(const ItemSpace& items, const Chunk& chunk, const Work& work) override {
