@@ -17,7 +17,9 @@ constexpr std::array orders{
     OrderInfo{"scanline", "row by row, from left to right"},
     OrderInfo{"morton", "along the Z curve: neighbours in the picture are near in the order"},
     OrderInfo{"hilbert", "along the Hilbert curve: successive items always touch"},
-    OrderInfo{"lpt", "longest first, by what each item cost in the last frame"},
+    OrderInfo{
+        "lpt",
+        "longest first, by what each item cost in the last frame; measuring and sorting are in the frame"},
 };
 
 /// The bits of x and y by turns (Morton 1966).

@@ -195,7 +195,8 @@ void run_launch(const Cell& cell, const LaunchOptions& options) {
   } while (options.timed && total < options.seconds);
   fill_in_pictures(job, record);
   fill_in_workers(job, record);
-  if (options.timed && cell.scheduler == "serial")
+  const bool alone = !options.keep_busy;  // co-running copies are asked for their pace only
+  if (options.timed && alone && cell.scheduler == "serial")
     record.item_seconds = measure_items(job, total / static_cast<double>(frames.size()), options.seconds);
   options.report(record);
   while (options.keep_busy && options.keep_busy()) job.frame();

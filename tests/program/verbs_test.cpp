@@ -43,7 +43,7 @@ TEST(list, every_experiment_opens_with_its_question_and_is_valid) {
     // Where a package is missing, an experiment that needs it says so, and nothing else is wrong with it.
     std::istringstream lines(plan.err);
     for (std::string line; std::getline(lines, line);) {
-      EXPECT_NE(line.find("cannot be used here: not built"), std::string::npos) << line;
+      EXPECT_NE(line.find("cannot be used here: it is not built"), std::string::npos) << line;
     }
   }
 }
