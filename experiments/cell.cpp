@@ -66,8 +66,7 @@ std::string Cell::picture_key() const {
 std::string Cell::key() const {
   return fmt::format(
       "{},accel={},leaf={},scheduler={},runtime={},threads={},item={},order={},chunk={},pin={},wait_policy={}"
-      ","
-      "spin_count={},environment={}{}",
+      ",spin_count={},environment={}{}",
       picture_key(), settings.accel, settings.leaf, scheduler, runtime_text(), threads, item, order,
       chunk_text(), pin_text(), wait_policy_text(), spin_count_text(), environment_text(),
       processes > 1 ? fmt::format(",processes={}", processes) : "");

@@ -148,8 +148,7 @@ class Parser {
     if (!machine_.hyper_threading) {
       config_.not_here = fmt::format(
           "this machine shows no hyper-threading ({} cores, {} processors): every hardware thread is a core "
-          "of its "
-          "own, so there is nothing to compare",
+          "of its own, so there is nothing to compare",
           machine_.cores, machine_.pus);
       return;
     }

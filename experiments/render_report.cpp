@@ -45,8 +45,7 @@ void print_left_out(const LeftOut& left_out, uint64_t ray_count) {
   if (left_out.by_tolerance + left_out.by_branches > 0) {
     fmt::print(
         "left out: {} rays by the pixel tolerance, {} by the limit of rays a sample; no channel of any "
-        "sample "
-        "lacks more than {:.2g}\n",
+        "sample lacks more than {:.2g}\n",
         left_out.by_tolerance, left_out.by_branches, left_out.bound);
   }
   if (left_out.lost_media > 0) {

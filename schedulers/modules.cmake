@@ -44,7 +44,7 @@ function(raysweep_try_openmp compiler flag found)
   set(probe ${CMAKE_CURRENT_BINARY_DIR}/openmp_probe)
   file(WRITE ${probe}.cpp "#include <omp.h>\n#include <functional>\nextern \"C\" void GOMP_loop_end_nowait();\n"
     "int probe() { GOMP_loop_end_nowait(); return omp_get_num_threads(); }\n")
-  execute_process(COMMAND ${compiler} -std=c++20 ${flag} -fPIC -shared ${probe}.cpp -o ${probe}.so
+  execute_process(COMMAND ${compiler} -std=c++20 ${flag} -fPIC -shared -Wl,--no-undefined ${probe}.cpp -o ${probe}.so
     RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
   if(NOT failed)
     set(${found} ON PARENT_SCOPE)

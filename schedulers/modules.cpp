@@ -169,7 +169,7 @@ ModuleReport ask_in_a_child(const RuntimeInfo& info) {
 }
 
 /// How workers wait, for the runtimes that read it from the environment when they are loaded.
-void set_environment(const std::string& runtime, const SchedulerOptions& options) {
+void tell_how_to_wait(const std::string& runtime, const SchedulerOptions& options) {
   if (options.wait == WaitPolicy::active) setenv("OMP_WAIT_POLICY", "active", 1);
   if (options.wait == WaitPolicy::passive) setenv("OMP_WAIT_POLICY", "passive", 1);
   if (options.spin_count && runtime == "libgomp")
@@ -212,7 +212,7 @@ const Module& load_module(const std::string& runtime, const SchedulerOptions& op
     if (told && is_here(info_of(runtime)))
       throw SchedulerError(
           fmt::format("{} was loaded before it could be told how to wait (is LD_PRELOAD set?)", runtime));
-    set_environment(runtime, options);
+    tell_how_to_wait(runtime, options);
     known = loaded_modules()
                 .emplace(runtime, Loaded{open_module(info_of(runtime)), options.wait, options.spin_count})
                 .first;

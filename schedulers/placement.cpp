@@ -132,8 +132,7 @@ std::string pin_problem(const std::string& pin, const std::vector<int>& allowed)
   if (!list) {
     return fmt::format(
         "unknown pin \"{}\"; possible: none, cores, compact, scatter, one_core, or a list of processors such "
-        "as "
-        "0,2,4-7",
+        "as 0,2,4-7",
         pin);
   }
   for (const int p : *list) {

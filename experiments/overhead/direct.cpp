@@ -100,8 +100,8 @@ Table numbers_of(const std::vector<Compared>& list, const DirectOptions& options
 std::string explanation(const DirectOptions& options, int processors) {
   return fmt::format(
       "{} threads{}, {} rounds, in each both ways, in turns; {} items a run, each its own chunk where chunks "
-      "can "
-      "be chosen, of {} iterations of busy work; 95 % intervals of medians, of differences and ratios within "
+      "can be chosen, of {} iterations of busy work; 95 % intervals of medians, of differences and ratios "
+      "within "
       "rounds, in time of a processor. The claim: our interface costs at most {:.0f} % or {:.0f} ns more.",
       options.threads, options.threads > processors ? " (oversubscribed)" : "", options.rounds, options.items,
       item_iterations, 100 * (claimed_ratio - 1), claimed_nanoseconds);

@@ -70,21 +70,19 @@ int run_row(const RowOptions& options, const std::vector<std::string>& benchmark
 const char* const schedulers_explanation =
     "Each row is a process of its own; brackets hold 95 % intervals of the median over repetitions. `empty "
     "region`: a run with one item of nothing for each thread. `per chunk`: what a run of `chunks/run` chunks "
-    "of "
-    "nothing takes longer, in time of a processor, for each chunk. `METG`: the smallest task, one a chunk, "
-    "with "
-    "which useful time is still that share of all processors' time, 1000 tasks a thread; interpolated "
-    "between "
-    "two measured sizes, else `not bracketed`. A task's length is that of busy work on one thread alone, "
-    "before "
-    "and after the row; `drift` is what changed between. Schedulers that ignore chunks hand out blocks.";
+    "of nothing takes longer, in time of a processor, for each chunk. `METG`: the smallest task, one a "
+    "chunk, "
+    "with which useful time is still that share of all processors' time, 1000 tasks a thread; interpolated "
+    "between two measured sizes, else `not bracketed`. A task's length is that of busy work on one thread "
+    "alone, "
+    "before and after the row; `drift` is what changed between. Schedulers that ignore chunks hand out "
+    "blocks.";
 
 const char* const waiting_explanation =
     "How idle workers wait. `empty region` as above; `slowest repetition`: the slowest of the repetitions, "
-    "each "
-    "a mean over many regions; `idle burn`: processor time that the process uses after a region until it "
-    "goes "
-    "quiet, watched for up to a second. Less than a tenth of a processor for 20 ms counts as quiet.";
+    "each a mean over many regions; `idle burn`: processor time that the process uses after a region until "
+    "it "
+    "goes quiet, watched for up to a second. Less than a tenth of a processor for 20 ms counts as quiet.";
 
 int run_lab(const LabOptions& options) {
   const Machine machine = detect_machine();

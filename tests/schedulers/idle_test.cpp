@@ -60,7 +60,9 @@ TEST_P(Idle, passive_workers_fall_asleep_after_a_run) {
   try {
     const auto scheduler = make(SchedulerOptions{.threads = threads, .wait = WaitPolicy::passive});
     expect_sleep_after_a_run(*scheduler, threads);
-  } catch (const SchedulerError& error) {  // all tests in one process: another one loaded it first
+  } catch (const SchedulerError& error) {
+    // All tests in one process: another one loaded the runtime first. By ctest that is never so.
+    if (std::string(error.what()).find("with another wait policy") == std::string::npos) throw;
     GTEST_SKIP() << error.what();
   }
 }
