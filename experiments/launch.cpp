@@ -143,7 +143,8 @@ double seconds(std::chrono::nanoseconds t) { return std::chrono::duration<double
 
 void fill_in_workers(const RenderJob& job, Record& record) {
   const WorkerLog& log = job.log();
-  std::set<int> processors, cores;
+  // Bound workers were asked where they are: one that got no item has its processor too.
+  std::set<int> processors(job.placement().begin(), job.placement().end()), cores;
   for (const WorkerEntry& entry : log.entries()) {
     record.workers.push_back({entry.items, entry.chunks, seconds(entry.busy), seconds(entry.scheduling),
                               seconds(entry.idle), entry.processor, entry.migrations});

@@ -74,7 +74,7 @@ struct Record {
   int width = 0, height = 0, subpixels = 0, depth = 0, branches = 1024, lights = 0, leaf = 0;
   double pixel_tolerance = 0;
   int threads = 0, threads_seen = 0;
-  int cores_seen = 0, processors_seen = 0;  // on which workers ran; 0: unknown
+  int cores_seen = 0, processors_seen = 0;  // that workers were bound to or ran on; 0: unknown
   int processes = 1;                        // more than 1: co-running copies of one launch
 
   std::vector<std::vector<double>> frame_seconds;  // by process
