@@ -66,10 +66,11 @@ std::string Cell::picture_key() const {
 std::string Cell::key() const {
   return fmt::format(
       "{},accel={},leaf={},scheduler={},runtime={},threads={},item={},order={},chunk={},pin={},wait_policy={}"
-      ",spin_count={},environment={}{}",
+      ",spin_count={},environment={}{}{}{}",
       picture_key(), settings.accel, settings.leaf, scheduler, runtime_text(), threads, item, order,
       chunk_text(), pin_text(), wait_policy_text(), spin_count_text(), environment_text(),
-      processes > 1 ? fmt::format(",processes={}", processes) : "");
+      slowdown > 0 ? fmt::format(",slowdown={}", slowdown) : "",
+      processes > 1 ? fmt::format(",processes={}", processes) : "", twin ? ",twin=1" : "");
 }
 
 void resolve_lights(Cell& cell) {
@@ -93,7 +94,7 @@ void collapse_ignored_factors(Cell& cell) {
 }
 
 nlohmann::json to_json(const Cell& cell) {
-  nlohmann::json json{{"mode", cell.mode}, {"processes", cell.processes}};
+  nlohmann::json json{{"mode", cell.mode}, {"processes", cell.processes}, {"twin", cell.twin}};
   for (const CellFactor& factor : cell_factors()) json[std::string(factor.name)] = factor.text(cell);
   return json;
 }
@@ -102,6 +103,7 @@ Cell cell_from_json(const nlohmann::json& json) {
   Cell cell;
   cell.mode = json.at("mode").get<std::string>();
   cell.processes = json.at("processes").get<int>();
+  cell.twin = json.at("twin").get<bool>();
   for (const CellFactor& factor : cell_factors()) {
     set_factor(cell, factor, json.at(std::string(factor.name)).get<std::string>());
   }

@@ -25,7 +25,9 @@ struct Cell {
   std::string wait_policy = "default";  // what idle workers do: "default", "active" or "passive"
   std::optional<int> spin_count;        // how often they look before they sleep; none: as the runtime likes
   std::string environment;              // "NAME=VALUE NAME=VALUE" for the runtime
+  double slowdown = 0;                  // planted: each frame is made longer by this share of its time
   int processes = 1;                    // more than 1: so many co-running copies, for the ceiling
+  bool twin = false;                    // launched beside its like in each round, to learn what noise is
 
   /// The canonical name: `factor=value,…` over every factor. Factors that the scheduler ignores are "-", so
   /// that cells that differ only in them are one cell.

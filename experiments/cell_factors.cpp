@@ -10,6 +10,7 @@
 #include "experiments/errors.h"
 #include "experiments/item.h"
 #include "experiments/numbers.h"
+#include "experiments/runtime_variables.h"
 #include "schedulers/placement.h"
 #include "schedulers/registry.h"
 #include "tracer/sample/pattern.h"
@@ -62,6 +63,16 @@ std::string set_pixel_tolerance(Cell& cell, const std::string& value) {
         value);
   }
   cell.settings.pixel_tolerance = *number;
+  return {};
+}
+
+std::string set_slowdown(Cell& cell, const std::string& value) {
+  const auto number = parse_number<double>(value);
+  if (!number || !(*number >= 0 && *number <= 10)) {
+    return fmt::format(
+        "slowdown = {} is not possible: a number from 0 to 10, of a frame's time; 0 plants none", value);
+  }
+  cell.slowdown = *number;
   return {};
 }
 
@@ -247,6 +258,8 @@ const std::array factors{
                [](const Cell& c) { return c.spin_count ? std::to_string(*c.spin_count) : "default"; }},
     CellFactor{"environment", "for the runtime: NAME=VALUE NAME=VALUE", false, set_environment,
                [](const Cell& c) { return c.environment; }},
+    CellFactor{"slowdown", "planted: each frame is made longer by this share of its time", true, set_slowdown,
+               [](const Cell& c) { return fmt::format("{}", c.slowdown); }},
 };
 
 #undef RAYSWEEP_INT
@@ -255,16 +268,6 @@ const std::array factors{
 }  // namespace
 
 std::span<const CellFactor> cell_factors() { return factors; }
-
-std::span<const std::string_view> runtime_variables() {
-  static constexpr std::array<std::string_view, 4> prefixes{"OMP_", "GOMP_", "KMP_", "TBB_"};
-  return prefixes;
-}
-
-bool is_runtime_variable(std::string_view name) {
-  return std::ranges::any_of(runtime_variables(),
-                             [&](std::string_view prefix) { return name.starts_with(prefix); });
-}
 
 const CellFactor* find_factor(std::string_view name) {
   for (const CellFactor& factor : factors) {

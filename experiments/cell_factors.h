@@ -20,10 +20,6 @@ struct CellFactor {
 
 [[nodiscard]] std::span<const CellFactor> cell_factors();
 
-/// How the names of variables begin that the runtimes of schedulers read from the environment.
-[[nodiscard]] std::span<const std::string_view> runtime_variables();
-[[nodiscard]] bool is_runtime_variable(std::string_view name);
-
 /// Null for an unknown name.
 [[nodiscard]] const CellFactor* find_factor(std::string_view name);
 

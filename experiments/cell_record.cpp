@@ -27,6 +27,8 @@ Record record_of(const Cell& cell) {
   r.item = cell.item;
   r.threads = cell.threads;
   r.processes = cell.processes;
+  r.twin = cell.twin;
+  r.slowdown = cell.slowdown;
   r.chunk = cell.chunk_text();
   r.runtime = cell.runtime_text();
   r.order = cell.order;

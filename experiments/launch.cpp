@@ -163,15 +163,6 @@ void fill_in_workers(const RenderJob& job, Record& record) {
 
 }  // namespace
 
-void forget_runtime_variables() {
-  std::vector<std::string> names;
-  for (char** variable = environ; *variable; ++variable) {
-    const std::string_view entry = *variable;
-    if (is_runtime_variable(entry)) names.emplace_back(entry.substr(0, entry.find('=')));
-  }
-  for (const std::string& name : names) unsetenv(name.c_str());
-}
-
 void run_launch(const Cell& cell, const LaunchOptions& options) {
   RenderJob job(cell);
   Record record = record_of(cell);

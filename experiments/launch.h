@@ -16,9 +16,6 @@ struct LaunchOptions {
   std::function<void(const Record&)> report;  // called once, before keep_busy
 };
 
-/// Takes what runtimes read from the environment out of this process: the cell alone says what they are told.
-void forget_runtime_variables();
-
 /// Runs `cell` once; its record lacks what only the run knows (experiment, round, machine). Throws SceneError
 /// or SchedulerError.
 void run_launch(const Cell& cell, const LaunchOptions& options);

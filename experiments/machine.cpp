@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "experiments/cell_factors.h"
+#include "experiments/runtime_variables.h"
 
 namespace raysweep {
 

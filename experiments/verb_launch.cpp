@@ -7,6 +7,7 @@
 
 #include "experiments/errors.h"
 #include "experiments/launch.h"
+#include "experiments/runtime_variables.h"
 #include "experiments/verbs.h"
 
 namespace raysweep {

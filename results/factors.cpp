@@ -31,6 +31,7 @@ const std::vector<FactorText>& factor_texts() {
       {"spin_count", [](const Record& r) { return r.spin_count; }, true, "default"},
       {"environment", [](const Record& r) { return r.environment; }, false, ""},
       {"pin", [](const Record& r) { return r.pin; }, false},
+      {"slowdown", [](const Record& r) { return fmt::format("{}", r.slowdown); }, true, "0"},
       {"scheduler", [](const Record& r) { return r.scheduler; }, false},
       {"runtime", [](const Record& r) { return r.runtime; }, false},
       {"chunk", [](const Record& r) { return r.chunk; }, true},

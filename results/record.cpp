@@ -8,6 +8,16 @@
 #include <numeric>
 #include <sstream>
 
+template <>
+struct nlohmann::adl_serializer<std::optional<double>> {
+  static void to_json(json& json, const std::optional<double>& value) {
+    json = value ? nlohmann::json(*value) : nlohmann::json();
+  }
+  static void from_json(const json& json, std::optional<double>& value) {
+    value = json.is_null() ? std::nullopt : std::optional(json.get<double>());
+  }
+};
+
 namespace raysweep {
 
 // Workers of schemas 1 and 2 have no times.
@@ -17,6 +27,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ItemSeconds, sum, max)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RayRecord, primary, shadow, reflected, refracted)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeftOutRecord, by_depth, by_tolerance, by_branches, bound, lost_media)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MachineRecord, host, cpu, pus, cores, load)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LaunchState, other_processors, steal_share, pressure_share,
+                                   throttled_seconds, thermal_throttles, voluntary_switches,
+                                   involuntary_switches, major_faults, spin_before_seconds,
+                                   spin_after_seconds)
 
 namespace {
 
@@ -53,15 +67,33 @@ void for_each_field(Each&& each) {
   RAYSWEEP_FIELD(library), RAYSWEEP_FIELD(cores_seen), RAYSWEEP_FIELD(processors_seen);
   RAYSWEEP_FIELD(chunk_sizes), RAYSWEEP_FIELD(item_seconds), RAYSWEEP_FIELD(empty_region_seconds);
   RAYSWEEP_FIELD(log_share), RAYSWEEP_FIELD(imbalance), RAYSWEEP_FIELD(shares_cache_lines);
+  RAYSWEEP_FIELD(state), RAYSWEEP_FIELD(launch_seconds), RAYSWEEP_FIELD(warm), RAYSWEEP_FIELD(twin);
+  RAYSWEEP_FIELD(slowdown);
 #undef RAYSWEEP_FIELD
 }
 
 int first_schema_of(const std::string& field) {
-  static const std::map<std::string, int> later{
-      {"pixel_tolerance", 2}, {"branches", 2},    {"left_out", 2},           {"order", 3},
-      {"wait_policy", 3},     {"spin_count", 3},  {"environment", 3},        {"library", 3},
-      {"cores_seen", 3},      {"chunk_sizes", 3}, {"item_seconds", 3},       {"empty_region_seconds", 3},
-      {"log_share", 3},       {"imbalance", 3},   {"shares_cache_lines", 3}, {"processors_seen", 3}};
+  static const std::map<std::string, int> later{{"pixel_tolerance", 2},
+                                                {"branches", 2},
+                                                {"left_out", 2},
+                                                {"order", 3},
+                                                {"wait_policy", 3},
+                                                {"spin_count", 3},
+                                                {"environment", 3},
+                                                {"library", 3},
+                                                {"cores_seen", 3},
+                                                {"chunk_sizes", 3},
+                                                {"item_seconds", 3},
+                                                {"empty_region_seconds", 3},
+                                                {"log_share", 3},
+                                                {"imbalance", 3},
+                                                {"shares_cache_lines", 3},
+                                                {"processors_seen", 3},
+                                                {"state", 4},
+                                                {"launch_seconds", 4},
+                                                {"warm", 4},
+                                                {"twin", 4},
+                                                {"slowdown", 4}};
   const auto found = later.find(field);
   return found == later.end() ? 1 : found->second;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,8 +16,9 @@ namespace raysweep {
 /// Older schemas are still read. 2 adds pixel_tolerance, branches and left_out; 3 what schedulers did: order,
 /// wait_policy, spin_count, environment, library (which `runtime` held before), cores_seen, chunk_sizes,
 /// item_seconds, empty_region_seconds, shares_cache_lines, imbalance,
-/// log_share, and the workers' times.
-inline constexpr int record_schema = 3, oldest_record_schema = 1;
+/// log_share, and the workers' times; 4 what the machine did meanwhile: state, launch_seconds, warm; and twin
+/// and slowdown.
+inline constexpr int record_schema = 4, oldest_record_schema = 1;
 
 /// What one worker did during the timed frames. The times add up to those of the frames; they and the
 /// migrations are 0 where the log was off.
@@ -58,6 +60,16 @@ struct MachineRecord {
   double load = 0;  // one-minute load average when the launch began
 };
 
+/// What the machine did during the timed frames of a launch; none: this machine does not tell.
+struct LaunchState {
+  std::optional<double> other_processors;  // that other processes used, on average
+  std::optional<double> steal_share;       // of our processors' time that the hypervisor gave to others
+  std::optional<double> pressure_share;    // of the time, some thread of the machine waited for a processor
+  std::optional<double> throttled_seconds, thermal_throttles;  // by a quota; because it was hot
+  std::optional<double> voluntary_switches, involuntary_switches, major_faults;
+  std::optional<double> spin_before_seconds, spin_after_seconds;  // of a fixed chain of instructions
+};
+
 /// A launch of a picture. Strings are the names of configs and command line; times are seconds.
 struct Record {
   int schema = record_schema;
@@ -67,6 +79,8 @@ struct Record {
   bool valid = true;
   std::string reason;  // why it is not
   MachineRecord machine;
+  LaunchState state;
+  double launch_seconds = 0;  // from the start of its process to its record
 
   std::string scene, mode, pattern, accel, core, isa, method, precision, scheduler, runtime, item, chunk, pin;
   std::string order = "scanline", wait_policy = "default", spin_count = "default", environment;
@@ -76,10 +90,13 @@ struct Record {
   int threads = 0, threads_seen = 0;
   int cores_seen = 0, processors_seen = 0;  // that workers were bound to or ran on; 0: unknown
   int processes = 1;                        // more than 1: co-running copies of one launch
+  bool twin = false;    // a second launch of the same cell in each round: what differs between them is noise
+  double slowdown = 0;  // planted: each frame was made longer by this share of its time
 
   std::vector<std::vector<double>> frame_seconds;  // by process
-  std::vector<double> warmup_seconds;
-  std::vector<uint64_t> chunks_made;  // of each timed frame
+  std::vector<double> warmup_seconds;              // the first one is the cold frame
+  bool warm = true;                                // frames had stopped getting faster when timing began
+  std::vector<uint64_t> chunks_made;               // of each timed frame
   ChunkSizes chunk_sizes;
   ItemSeconds item_seconds;
   double empty_region_seconds = 0;  // a run of one empty item a thread; median

@@ -1,5 +1,7 @@
 #include "results/rounds.h"
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "results/factors.h"
@@ -11,25 +13,49 @@ namespace {
 /// Factors that the serial scheduler has no use for.
 const std::set<std::string> only_of_threads{"runtime", "pin", "wait_policy", "spin_count", "environment"};
 
-}  // namespace
+/// What sets a cell apart from those that it is compared with.
+struct Variant {
+  std::string scheduler, chunk;
+  int threads, processes;
+  bool twin;
+  double slowdown;
+};
 
-std::string base_key(const Record& r, const std::string& scheduler, int threads, const std::string& chunk,
-                     int processes) {
-  std::string key = std::to_string(processes);
+Variant own_variant(const Record& r) {
+  return {r.scheduler, r.chunk, r.threads, r.processes, r.twin, r.slowdown};
+}
+
+/// All other factors are those of `r`.
+std::string key_of(const Record& r, const Variant& v) {
+  std::string key = fmt::format("{}{}", v.processes, v.twin ? " twin" : "");
+  const bool serial = v.scheduler == "serial";
   for (const FactorText& factor : factor_texts()) {
-    key += "|" + (factor.name == "scheduler" ? scheduler
-                  : factor.name == "threads" ? std::to_string(threads)
-                  : factor.name == "chunk"   ? chunk
-                  : scheduler == "serial" && factor.name == "order" && r.order == "lpt" ? "scanline"
-                  : scheduler == "serial" && only_of_threads.contains(factor.name)      ? "-"
-                                                                                        : factor.text(r));
+    key += "|" + (factor.name == "scheduler"                             ? v.scheduler
+                  : factor.name == "threads"                             ? std::to_string(v.threads)
+                  : factor.name == "chunk"                               ? v.chunk
+                  : factor.name == "slowdown"                            ? fmt::format("{}", v.slowdown)
+                  : serial && factor.name == "order" && r.order == "lpt" ? "scanline"
+                  : serial && only_of_threads.contains(factor.name)      ? "-"
+                                                                         : factor.text(r));
   }
   return key;
 }
 
-std::string serial_key(const Record& r, int processes) { return base_key(r, "serial", 1, "-", processes); }
+}  // namespace
 
-std::string own_key(const Record& r) { return base_key(r, r.scheduler, r.threads, r.chunk, r.processes); }
+std::string own_key(const Record& r) { return key_of(r, own_variant(r)); }
+
+std::string twin_key(const Record& r) {
+  Variant twin = own_variant(r);
+  twin.twin = true;
+  return key_of(r, twin);
+}
+
+std::string one_thread_key(const Record& r) { return key_of(r, {r.scheduler, r.chunk, 1, 1, false, 0}); }
+
+std::string serial_key(const Record& r, int processes) {
+  return key_of(r, {"serial", "-", 1, processes, false, 0});
+}
 
 Launches::Launches(const std::vector<Record>& records) {
   // A launch that was void and tried again on resume has two records: the later one counts.

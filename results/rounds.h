@@ -14,15 +14,17 @@ namespace raysweep {
 /// Valid launches of one cell, by round.
 using Rounds = std::map<int, const Record*>;
 
-/// The factors of `r` as one text, with another scheduler, thread count and chunk: names the cell to compare
-/// with.
-[[nodiscard]] std::string base_key(const Record& r, const std::string& scheduler, int threads,
-                                   const std::string& chunk, int processes);
-
-/// Names the serial launches of the same picture, item shape and order, alone or `processes` at a time.
-[[nodiscard]] std::string serial_key(const Record& r, int processes = 1);
-
+/// Names the cell of `r` itself, twins apart.
 [[nodiscard]] std::string own_key(const Record& r);
+
+/// The same cell launched a second time in each round.
+[[nodiscard]] std::string twin_key(const Record& r);
+
+/// One thread of the same scheduler.
+[[nodiscard]] std::string one_thread_key(const Record& r);
+
+/// The serial launches of the same picture, item shape and order, alone or `processes` at a time.
+[[nodiscard]] std::string serial_key(const Record& r, int processes = 1);
 
 /// The records of a run in order; they must outlive it.
 class Launches {

@@ -73,7 +73,7 @@ CellRow make_row(const Record& planned, const Launches& all) {
   const Rounds& serial = all.valid(serial_key(r));
   row.schedule = schedule_of(rounds, serial);
   row.speedup = fps_ratio(rounds, serial);
-  row.speedup_one = fps_ratio(rounds, all.valid(base_key(r, r.scheduler, 1, r.chunk, 1)));
+  row.speedup_one = fps_ratio(rounds, all.valid(one_thread_key(r)));
   if (row.speedup) {
     row.efficiency = row.speedup->value / r.threads;
     row.core_efficiency = row.speedup->value / fillable_cores(r);
@@ -95,7 +95,7 @@ std::vector<CellRow> summarise(const std::vector<Record>& records, const std::ve
   const Launches all(records);
   std::vector<CellRow> rows;
   for (const Record& cell : planned) {
-    if (cell.processes > 1) continue;
+    if (cell.processes > 1 || cell.twin) continue;
     rows.push_back(make_row(cell, all));
     add_notes(rows.back(), interval_target);
   }

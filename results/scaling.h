@@ -31,8 +31,8 @@ struct CellRow {
 };
 
 /// The rows of a run: one for each planned cell, in that order, whether it was launched or not. Co-run cells
-/// serve others and have no row of their own. `planned` are records without measurements; `interval_target`
-/// is the relative half-width asked for.
+/// and twins serve others and have no row of their own. `planned` are records without measurements;
+/// `interval_target` is the relative half-width asked for.
 [[nodiscard]] std::vector<CellRow> summarise(const std::vector<Record>& records,
                                              const std::vector<Record>& planned, double interval_target);
 

@@ -52,7 +52,8 @@ TEST(cell, every_factor_is_in_the_key) {
                                                         {"pin", "cores"},
                                                         {"wait_policy", "passive"},
                                                         {"spin_count", "7"},
-                                                        {"environment", "OMP_PLACES=cores"}};
+                                                        {"environment", "OMP_PLACES=cores"},
+                                                        {"slowdown", "0.05"}};
   EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "runtime is for OpenMP alone";
   for (const auto& [name, value] : others) {
     Cell a, b;

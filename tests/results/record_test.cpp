@@ -33,6 +33,8 @@ TEST(record, comes_back_from_json_as_it_went) {
   r.chunks_made = {5, 6};
   r.rays = {1, 2, 3, 4};
   r.image_hash = "abc";
+  r.state.steal_share = 0.25;  // the others stay unknown
+  r.launch_seconds = 0.5;
   EXPECT_EQ(to_json(record_from_json(to_json(r))), to_json(r));
   Record together = make_record("serial", 1, 0, 0.5, 2);
   EXPECT_EQ(to_json(record_from_json(to_json(together))), to_json(together));
@@ -70,6 +72,17 @@ TEST_F(RecordFile, a_record_of_schema_1_is_read_as_one_without_early_endings) {
   EXPECT_THROW((void)read_records(file), RecordError) << "schema 2 has them";
 }
 
+TEST_F(RecordFile, a_record_of_schema_3_is_read_and_knows_nothing_of_the_machines_state) {
+  auto json = to_json(make_record("serial", 1, 0, 1));
+  json["schema"] = 3;
+  for (const char* since_4 : {"state", "launch_seconds", "warm", "twin", "slowdown"}) json.erase(since_4);
+  write(json.dump() + "\n");
+  const auto records = read_records(file);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_FALSE(records[0].state.steal_share);
+  EXPECT_FALSE(records[0].twin);
+}
+
 TEST_F(RecordFile, another_schema_is_refused_by_a_sentence) {
   auto json = to_json(make_record("serial", 1, 0, 1));
   json["schema"] = 99;
@@ -78,7 +91,7 @@ TEST_F(RecordFile, another_schema_is_refused_by_a_sentence) {
     (void)read_records(file);
     FAIL();
   } catch (const RecordError& error) {
-    EXPECT_NE(std::string(error.what()).find("schema 99 is unknown here; this version reads schemas 1 to 3"),
+    EXPECT_NE(std::string(error.what()).find("schema 99 is unknown here; this version reads schemas 1 to 4"),
               std::string::npos);
   }
 }
