@@ -77,6 +77,16 @@ void resolve_lights(Cell& cell) {
   if (!cell.lights) cell.lights = own_light_count(cell.scene);
 }
 
+Cell serial_cell(const Cell& cell) {
+  Cell serial = cell;
+  serial.scheduler = "serial";
+  serial.threads = serial.processes = 1;
+  serial.twin = false;
+  serial.slowdown = 0;
+  collapse_ignored_factors(serial);
+  return serial;
+}
+
 void collapse_ignored_factors(Cell& cell) {
   const SchedulerInfo* const info = find_scheduler(cell.scheduler);
   if (!info) return;

@@ -50,6 +50,9 @@ struct Cell {
 /// The scene's own number of lights where none was asked for. Throws SceneError.
 void resolve_lights(Cell& cell);
 
+/// The same picture and items, by `serial` alone.
+[[nodiscard]] Cell serial_cell(const Cell& cell);
+
 /// The default for whatever the scheduler ignores, and the name of the runtime that it gets.
 void collapse_ignored_factors(Cell& cell);
 

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "experiments/clock.h"
 #include "experiments/errors.h"
 #include "experiments/interrupt.h"
 
@@ -72,7 +73,7 @@ Child::~Child() {
   }
 }
 
-std::optional<std::string> Child::read_line() {
+std::optional<std::string> Child::read_line(double deadline) {
   while (true) {
     if (const size_t end = buffer_.find('\n'); end != std::string::npos) {
       std::string line = buffer_.substr(0, end);
@@ -81,7 +82,7 @@ std::optional<std::string> Child::read_line() {
     }
     // The time limit closes the gap between the check and the wait, in which a signal would go unseen.
     pollfd ready{output_.get(), POLLIN, 0};
-    if (interrupted()) return std::nullopt;
+    if (interrupted() || now_seconds() >= deadline) return std::nullopt;
     if (poll(&ready, 1, 200) <= 0) continue;
     std::array<char, 65536> bytes;
     const ssize_t count = read(output_.get(), bytes.data(), bytes.size());

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,9 +23,10 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The next line of its standard output, without the newline; none when the output ends, or when we are
-  /// interrupted.
-  [[nodiscard]] std::optional<std::string> read_line();
+  /// The next line of its standard output, without the newline; none when the output ends, when we are
+  /// interrupted, or when now_seconds() passes `deadline`.
+  [[nodiscard]] std::optional<std::string> read_line(
+      double deadline = std::numeric_limits<double>::infinity());
 
   /// Writes a line to its standard input.
   void write_line(const std::string& line);

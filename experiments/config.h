@@ -19,10 +19,12 @@ struct Axis {
 };
 
 struct Measure {
-  int launches = 7;
+  int launches = 7;             // of each cell, at least
+  int max_launches = 28;        // of a cell whose interval stays too wide
   double budget_seconds = 600;  // of the whole experiment, shared by its cells
   double interval = 0.02;       // relative half-width to reach
   double seconds = 0.3;         // timed frames of one launch
+  double timeout_seconds = 0;   // of a launch; 0: a multiple of what the serial picture took
   uint64_t seed = 1;
 };
 

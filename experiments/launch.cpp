@@ -19,14 +19,20 @@ namespace raysweep {
 
 namespace {
 
-constexpr double warmup_seconds = 0.05;
+constexpr double least_warmup_seconds = 0.05;
+// A frame that takes longer than this has warmed up, while it ran, what was cold when it began.
+constexpr double most_warmup_seconds = 0.3;
 // Logging and measuring items may take so much of a frame; where they would take more, they are off.
 constexpr double affordable_share = 0.01;
 
-double timed_frame(RenderJob& job) {
+/// Seconds, the planted `slowdown` included, during which all threads but this one wait.
+double timed_frame(RenderJob& job, double slowdown = 0) {
   const double begin = now_seconds();
   job.frame();
-  return now_seconds() - begin;
+  double end = now_seconds();
+  const double planted_end = end + slowdown * (end - begin);
+  while (end < planted_end) end = now_seconds();
+  return end - begin;
 }
 
 /// "libgomp: OpenMP 201511 by gcc 12.2.0, /usr/lib/…/libgomp.so.1.0.0, build …"; empty where none is needed.
@@ -68,8 +74,8 @@ double empty_region_seconds(Scheduler& scheduler, int threads) {
   return median(samples);
 }
 
-/// Frames until the scheduler has settled and, as far as there is hope, every thread has taken part. What a
-/// frame takes then.
+/// Frames until the scheduler has settled, frames have stopped getting faster and, as far as there is hope,
+/// every thread has taken part. What a frame takes then.
 double warm_up(RenderJob& job, const Cell& cell, Record& record) {
   constexpr size_t more_frames_at_most = 10;  // for threads that were not there yet
   const auto least = static_cast<size_t>(find_scheduler(cell.scheduler)->warmup_runs);
@@ -80,12 +86,14 @@ double warm_up(RenderJob& job, const Cell& cell, Record& record) {
     const auto hoped_for = static_cast<int>(std::min(static_cast<size_t>(cell.threads), chunks));
     return job.log().workers_seen() < hoped_for && frames.size() < least + more_frames_at_most;
   };
-  while (frames.size() < least || total < warmup_seconds || waits_for_threads()) {
+  const auto is_cold = [&] { return total < most_warmup_seconds && !has_settled(frames); };
+  while (frames.size() < least || total < least_warmup_seconds || is_cold() || waits_for_threads()) {
     const size_t before = job.log().chunks();
     frames.push_back(timed_frame(job));
     total += frames.back();
     chunks = job.log().chunks() - before;
   }
+  record.warm = frames.size() == 1 || has_settled(frames);
   return frames.back();
 }
 
@@ -163,6 +171,12 @@ void fill_in_workers(const RenderJob& job, Record& record) {
 
 }  // namespace
 
+bool has_settled(const std::vector<double>& frames) {
+  constexpr double faster = 0.98;  // noise makes frames slower, hardly ever faster
+  if (frames.size() < 2) return false;
+  return frames.back() > faster * *std::min_element(frames.begin(), frames.end() - 1);
+}
+
 void run_launch(const Cell& cell, const LaunchOptions& options) {
   RenderJob job(cell);
   Record record = record_of(cell);
@@ -180,7 +194,7 @@ void run_launch(const Cell& cell, const LaunchOptions& options) {
   double total = 0;
   uint64_t chunks = 0;
   do {
-    frames.push_back(timed_frame(job));
+    frames.push_back(timed_frame(job, cell.slowdown));
     total += frames.back();
     record.chunks_made.push_back(job.log().chunks() - chunks);
     chunks += record.chunks_made.back();

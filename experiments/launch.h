@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "experiments/cell.h"
 #include "results/record.h"
@@ -15,6 +16,9 @@ struct LaunchOptions {
   std::function<bool()> keep_busy;            // after timing: render on while this is true
   std::function<void(const Record&)> report;  // called once, before keep_busy
 };
+
+/// Whether the last of `frames`, in seconds, is no longer clearly faster than the fastest before it.
+[[nodiscard]] bool has_settled(const std::vector<double>& frames);
 
 /// Runs `cell` once; its record lacks what only the run knows (experiment, round, machine). Throws SceneError
 /// or SchedulerError.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/child.h"
+#include "experiments/clock.h"
 #include "experiments/interrupt.h"
 
 namespace raysweep {
@@ -18,14 +19,16 @@ std::vector<std::string> command(const Cell& cell, std::vector<std::string> opti
   return options;
 }
 
-LaunchOutcome ended(Child& child) {
+LaunchOutcome ended(Child& child, double deadline) {
   if (interrupted()) return {std::nullopt, {}, true};
+  if (now_seconds() >= deadline)
+    return {std::nullopt, "killed: it took longer than a launch may (measure.timeout)", false};
   return {std::nullopt, child.how_it_ended(), false};
 }
 
-LaunchOutcome outcome_of(Child& child) {
-  const auto line = child.read_line();
-  if (!line) return ended(child);
+LaunchOutcome outcome_of(Child& child, double deadline) {
+  const auto line = child.read_line(deadline);
+  if (!line) return ended(child, deadline);
   try {
     return {record_from_json(nlohmann::json::parse(*line)), {}, false};
   } catch (const std::exception& error) {
@@ -34,7 +37,7 @@ LaunchOutcome outcome_of(Child& child) {
 }
 
 /// One record for all copies: the first one's, with everybody's frames.
-LaunchOutcome corun(const Cell& cell, double seconds) {
+LaunchOutcome corun(const Cell& cell, double seconds, double deadline) {
   Cell copy = cell;
   copy.processes = 1;
   std::vector<std::unique_ptr<Child>> children;
@@ -43,12 +46,12 @@ LaunchOutcome corun(const Cell& cell, double seconds) {
         std::make_unique<Child>(command(copy, {"--seconds", fmt::format("{}", seconds), "--together"})));
   }
   for (auto& child : children) {
-    if (!child->read_line()) return ended(*child);  // "ready"
+    if (!child->read_line(deadline)) return ended(*child, deadline);  // "ready"
   }
   for (auto& child : children) child->write_line("go");
   LaunchOutcome all;
   for (auto& child : children) {
-    LaunchOutcome one = outcome_of(*child);
+    LaunchOutcome one = outcome_of(*child, deadline);
     if (!one.record) return one;
     if (!all.record) {
       all = std::move(one);
@@ -65,15 +68,16 @@ LaunchOutcome corun(const Cell& cell, double seconds) {
 
 }  // namespace
 
-LaunchOutcome ProcessLauncher::launch(const Cell& cell, double seconds) {
-  if (cell.processes > 1) return corun(cell, seconds);
+LaunchOutcome ProcessLauncher::launch(const Cell& cell, double seconds, double timeout_seconds) {
+  const double deadline = now_seconds() + timeout_seconds;
+  if (cell.processes > 1) return corun(cell, seconds, deadline);
   Child child(command(cell, {"--seconds", fmt::format("{}", seconds)}));
-  return outcome_of(child);
+  return outcome_of(child, deadline);
 }
 
-LaunchOutcome ProcessLauncher::picture(const Cell& cell) {
+LaunchOutcome ProcessLauncher::picture(const Cell& cell, double timeout_seconds) {
   Child child(command(cell, {"--picture"}));
-  return outcome_of(child);
+  return outcome_of(child, now_seconds() + timeout_seconds);
 }
 
 }  // namespace raysweep

@@ -20,18 +20,18 @@ struct LaunchOutcome {
 class Launcher {
  public:
   virtual ~Launcher() = default;
-  /// Runs `cell` once, timed for `seconds`.
-  virtual LaunchOutcome launch(const Cell& cell, double seconds) = 0;
-  /// Renders one untimed frame of `cell`.
-  virtual LaunchOutcome picture(const Cell& cell) = 0;
+  /// Runs `cell` once, timed for `seconds`. After `timeout_seconds` it is killed, a failure.
+  virtual LaunchOutcome launch(const Cell& cell, double seconds, double timeout_seconds) = 0;
+  /// Renders one frame of `cell`, cold.
+  virtual LaunchOutcome picture(const Cell& cell, double timeout_seconds) = 0;
 };
 
 /// Each launch in fresh child processes of this program, `raysweep launch …`. The copies of a co-run cell
 /// wait for each other before they time frames, and go on rendering until the last one has finished its own.
 class ProcessLauncher final : public Launcher {
  public:
-  LaunchOutcome launch(const Cell& cell, double seconds) override;
-  LaunchOutcome picture(const Cell& cell) override;
+  LaunchOutcome launch(const Cell& cell, double seconds, double timeout_seconds) override;
+  LaunchOutcome picture(const Cell& cell, double timeout_seconds) override;
 };
 
 }  // namespace raysweep

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <random>
 
 #include "experiments/cell_factors.h"
 #include "experiments/cell_record.h"
@@ -17,34 +15,52 @@ class Planner {
  public:
   Planner(Plan& plan, const MachineSize& machine) : plan_(plan), machine_(machine) {}
 
-  void add(Cell cell, bool asked) {
+  /// The cell itself after the cells that it is compared with.
+  void add_with_bases(Cell cell) {
     collapse_ignored_factors(cell);
-    const std::string key = cell.key();
+    const Cell serial = serial_cell(cell);
+    Cell one = cell;
+    one.threads = 1;
+    one.slowdown = 0;
+    Cell corun = serial;
+    corun.processes = std::min(cell.threads, machine_.pus);
+    std::vector<std::string> bases{add(serial, false), add(one, false)};
+    if (corun.processes > 1) bases.push_back(add(corun, false));
+    const std::string key = add(cell, true);
+    std::erase(bases, key);  // the serial cell is its own base
+    std::ranges::find(plan_.cells, key, &PlannedCell::key)->bases = std::move(bases);
+  }
+
+  /// Two threads that wait for each other feel more of the machine's noise than one: the twin is of the cell
+  /// with the most threads that has a processor for each.
+  void add_twin() {
+    const auto rank = [&](const Cell& cell) { return cell.threads <= machine_.pus ? cell.threads : 0; };
+    const PlannedCell* most = nullptr;
+    for (const PlannedCell& planned : plan_.cells) {
+      if (planned.asked && (!most || rank(planned.cell) > rank(most->cell))) most = &planned;
+    }
+    if (!most) return;
+    Cell twin = most->cell;
+    twin.twin = true;
+    const std::string of = most->key;
+    const std::string key = add(twin, false);
+    std::ranges::find(plan_.cells, of, &PlannedCell::key)->bases.push_back(key);
+  }
+
+ private:
+  /// Its key.
+  std::string add(Cell cell, bool asked) {
+    collapse_ignored_factors(cell);
+    std::string key = cell.key();
     const auto known = std::ranges::find(plan_.cells, key, &PlannedCell::key);
     if (known != plan_.cells.end()) {
       known->asked = known->asked || asked;
     } else {
       plan_.cells.push_back({std::move(cell), key, asked});
     }
+    return key;
   }
 
-  /// The cell itself after the cells that it is compared with.
-  void add_with_bases(Cell cell) {
-    collapse_ignored_factors(cell);
-    Cell serial = cell;
-    serial.scheduler = "serial";
-    serial.threads = 1;
-    add(serial, false);
-    Cell one = cell;
-    one.threads = 1;
-    add(one, false);
-    Cell corun = serial;
-    corun.processes = std::min(cell.threads, machine_.pus);
-    if (corun.processes > 1) add(corun, false);
-    add(cell, true);
-  }
-
- private:
   Plan& plan_;
   const MachineSize machine_;
 };
@@ -57,6 +73,7 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
   plan.title = config.title;
   plan.interval = config.measure.interval;
   plan.rounds = config.measure.launches;
+  plan.max_rounds = config.measure.max_launches;
   plan.seed = config.measure.seed;
   Planner planner(plan, machine);
   const int lights = own_light_count(config.scene);
@@ -84,26 +101,34 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       planner.add_with_bases(cell);
     }
   }
+  planner.add_twin();
   (void)load_scene(config.scene, most);  // a file that has fewer lights is refused before anything runs
   return plan;
 }
 
+uint64_t turn(uint64_t seed, int round, const std::string& key) {
+  // FNV-1a over the key, then SplitMix64's finaliser (Steele, Lea & Flood 2014), so that nearby rounds and
+  // keys have nothing in common.
+  uint64_t hash = 14695981039346656037u ^ (seed * 1000003 + static_cast<uint64_t>(round));
+  for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+  return hash ^ (hash >> 31);
+}
+
 std::vector<size_t> Plan::order(int round) const {
-  std::vector<size_t> indices(cells.size());
-  std::iota(indices.begin(), indices.end(), size_t{0});
-  // Fisher and Yates by hand: std::shuffle may differ between libraries, and a plan must not. The modulo's
-  // bias is below cells/2³².
-  std::mt19937 random(static_cast<uint32_t>(seed * 1000003 + static_cast<uint64_t>(round)));
-  for (size_t i = indices.size(); i > 1; --i) std::swap(indices[i - 1], indices[random() % i]);
+  std::vector<std::pair<uint64_t, size_t>> turns;
+  for (size_t i = 0; i < cells.size(); ++i) turns.emplace_back(turn(seed, round, cells[i].key), i);
+  std::ranges::sort(turns);
+  std::vector<size_t> indices;
+  for (const auto& [at, index] : turns) indices.push_back(index);
   return indices;
 }
 
 nlohmann::json to_json(const Plan& plan) {
-  nlohmann::json json{{"experiment", plan.experiment},
-                      {"title", plan.title},
-                      {"interval", plan.interval},
-                      {"seed", plan.seed},
-                      {"rounds", plan.rounds}};
+  nlohmann::json json{{"experiment", plan.experiment}, {"title", plan.title},
+                      {"interval", plan.interval},     {"seed", plan.seed},
+                      {"rounds", plan.rounds},         {"max_rounds", plan.max_rounds}};
   for (const PlannedCell& planned : plan.cells) {
     Record blank = record_of(planned.cell);
     blank.experiment = plan.experiment;

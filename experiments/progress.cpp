@@ -28,9 +28,8 @@ double seconds_left(int done, int total, double elapsed, double budget) {
   return std::max(0.0, std::min(by_pace, budget - elapsed));
 }
 
-Progress::Progress(int total, std::string unit, double start_seconds, double budget_seconds, bool quiet)
-    : total_(total),
-      unit_(std::move(unit)),
+Progress::Progress(std::string unit, double start_seconds, double budget_seconds, bool quiet)
+    : unit_(std::move(unit)),
       start_(start_seconds),
       budget_(budget_seconds),
       last_(start_seconds),
@@ -41,18 +40,20 @@ Progress::~Progress() {
   if (terminal_ && !quiet_) fmt::print(stderr, "\r\033[K");
 }
 
-void Progress::show(int done, double now, const std::string& label) {
+void Progress::show(int done, int total, double now, const std::string& label, const std::string& quality) {
   if (quiet_ || (!terminal_ && now - last_ < line_interval_seconds)) return;
   last_ = now;
-  const std::string left = as_clock(seconds_left(done, total_, now - start_, budget_));
+  const std::string left = as_clock(seconds_left(done, total, now - start_, budget_));
   if (!terminal_) {
-    fmt::print(stderr, "{} of {} {}, {} left\n", done, total_, unit_, left);
+    fmt::print(stderr, "{} of {} {}, {} left{}{}\n", done, total, unit_, left, quality.empty() ? "" : ", ",
+               quality);
     return;
   }
-  const int filled = total_ > 0 ? static_cast<int>(static_cast<long long>(bar_width) * done / total_) : 0;
+  const int filled = total > 0 ? static_cast<int>(static_cast<long long>(bar_width) * done / total) : 0;
   std::string bar;
   for (int i = 0; i < bar_width; ++i) bar += i < filled ? "█" : "░";
-  fmt::print(stderr, "\r\033[K{} {}/{}  {} left  {}", bar, done, total_, left, label);
+  fmt::print(stderr, "\r\033[K{} {}/{}  {} left  {}{}{}", bar, done, total, left, label,
+             quality.empty() ? "" : "  ", quality);
   std::fflush(stderr);
 }
 

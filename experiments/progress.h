@@ -7,17 +7,17 @@ namespace raysweep {
 
 class Progress {
  public:
-  /// `total` of what `unit` names, in plural, are to be done. Seconds are those of the run's clock.
-  Progress(int total, std::string unit, double start_seconds, double budget_seconds, bool quiet);
+  /// `unit` names what is counted, in plural. Seconds are those of the run's clock.
+  Progress(std::string unit, double start_seconds, double budget_seconds, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` are finished; `label` tells what comes next.
-  void show(int done, double now, const std::string& label);
+  /// `done` of `total`, as far as that is known, are finished; `label` tells what comes next, `quality` how
+  /// good what there is so far is, if anything can be said.
+  void show(int done, int total, double now, const std::string& label, const std::string& quality = {});
 
  private:
-  int total_;
   std::string unit_;
   double start_, budget_, last_ = 0;
   bool quiet_, terminal_;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
+#include <map>
+#include <memory>
 
 #include "experiments/cell_record.h"
 #include "experiments/errors.h"
@@ -12,119 +14,176 @@ namespace raysweep {
 
 namespace {
 
+/// A serial picture, and how long its launch took.
+struct Reference {
+  Record record;
+  double seconds;
+};
+
+/// One launch for all experiments whose round lacks it.
+struct Turn {
+  uint64_t at;
+  const PlannedCell* planned;
+  std::vector<ExperimentRun*> runs;
+};
+
+/// Voids a record whose picture or rays are not the serial ones.
+void verify(Record& record, const Record& serial) {
+  if (!record.valid) return;
+  if (record.image_hash != serial.image_hash) {
+    record.reason =
+        fmt::format("picture {} differs from the serial one, {}", record.image_hash, serial.image_hash);
+  } else if (record.rays != serial.rays) {
+    record.reason = "its rays are not those of the serial picture";
+  }
+  record.valid = record.reason.empty();
+}
+
+/// Stands for a launch that left no record.
+Record void_record(const Cell& cell, const std::string& reason) {
+  Record r = record_of(cell);
+  r.valid = false;
+  r.reason = reason;
+  return r;
+}
+
 class Runner {
  public:
-  Runner(const Config& config, const Plan& plan, const Machine& machine, RunFolder& folder,
-         const RunnerTools& tools)
-      : config_(config), plan_(plan), machine_(machine), folder_(folder), tools_(tools), start_(tools.now()) {
-    for (const Record& r : folder.records()) {
-      if (r.valid) done_.insert({r.cell, r.round});  // void ones are tried again
+  Runner(const std::vector<Experiment>& experiments, const Machine& machine, const RunnerTools& tools)
+      : machine_(machine), tools_(tools), start_(tools.now()) {
+    for (const Experiment& experiment : experiments) {
+      runs_.push_back(std::make_unique<ExperimentRun>(experiment));
+      budget_ += experiment.config.measure.budget_seconds;
     }
-    report_.launches = static_cast<int>(folder.records().size());
   }
 
-  RunReport run() {
-    const int total = plan_.rounds * static_cast<int>(plan_.cells.size());
-    Progress progress(total - static_cast<int>(done_.size()), "launches", start_,
-                      config_.measure.budget_seconds, tools_.quiet);
-    const int before = report_.launches;
-    for (int round = 0; round < plan_.rounds; ++round) {
-      for (const size_t index : plan_.order(round)) {
-        const PlannedCell& planned = plan_.cells[index];
-        if (done_.contains({planned.key, round})) continue;
-        const double now = tools_.now();
-        if (now - start_ >= config_.measure.budget_seconds) return ended(RunEnd::out_of_budget);
-        progress.show(report_.launches - before, now, label(planned.cell));
-        if (!take(planned, round)) return ended(RunEnd::interrupted);
-      }
-      report_.whole_rounds = round + 1;
+  std::vector<RunReport> run() {
+    int last_round = 0;
+    for (const auto& run : runs_) last_round = std::max(last_round, run->plan().max_rounds);
+    Progress progress("launches", start_, budget_, tools_.quiet);
+    RunEnd end = RunEnd::complete;
+    for (int round = 0; round < last_round && end == RunEnd::complete; ++round) {
+      end = run_round(round, progress);
+      if (end != RunEnd::complete) stop(end, round);
     }
-    return report_;
+    std::vector<RunReport> reports;
+    for (const auto& run : runs_) reports.push_back(run->report);
+    return reports;
   }
 
  private:
-  RunReport ended(RunEnd end) {
-    report_.end = end;
-    return report_;
+  RunEnd run_round(int round, Progress& progress) {
+    const std::vector<Turn> turns = turns_of(round);
+    int total = launched_ + static_cast<int>(turns.size());
+    for (const auto& run : runs_) {
+      // What comes after the rounds in which all take part is not known yet.
+      total += std::max(0, run->plan().rounds - round - 1) * static_cast<int>(run->plan().cells.size());
+    }
+    for (const Turn& turn : turns) {
+      const double now = tools_.now();
+      if (now - start_ >= budget_) return RunEnd::out_of_budget;
+      progress.show(launched_, total, now, short_name(turn.planned->cell), widest_);
+      if (!take(turn, round)) return RunEnd::interrupted;
+      launched_++;
+    }
+    for (const auto& run : runs_) {
+      if (round < run->plan().max_rounds) run->report.whole_rounds = round + 1;
+    }
+    widest_ = widest_interval();
+    return RunEnd::complete;
   }
 
-  static std::string label(const Cell& cell) {
-    if (cell.processes > 1) return fmt::format("{} · {} × serial", cell.mode, cell.processes);
-    return fmt::format("{} · {} · {} {}", cell.mode, cell.scheduler, cell.threads,
-                       cell.threads == 1 ? "thread" : "threads");
+  [[nodiscard]] std::string widest_interval() const {
+    std::optional<ExperimentRun::Widest> widest;
+    for (const auto& run : runs_) {
+      const auto of_run = run->widest_interval();
+      if (of_run && (!widest || of_run->relative_half_width > widest->relative_half_width)) widest = of_run;
+    }
+    if (!widest) return {};
+    return fmt::format("widest interval ±{:.1f} %: {}", widest->relative_half_width * 100,
+                       short_name(widest->planned->cell));
+  }
+
+  /// Tells those of whose launches some are left, in this round or the next.
+  void stop(RunEnd end, int round) {
+    for (const auto& run : runs_) {
+      if (!run->missing(round).empty() || !run->missing(round + 1).empty()) run->report.end = end;
+    }
+  }
+
+  std::vector<Turn> turns_of(int round) {
+    std::map<std::pair<std::string, double>, Turn> turns;  // launches of other lengths are others
+    for (const auto& run : runs_) {
+      for (const PlannedCell* const planned : run->missing(round)) {
+        Turn& turn = turns[{planned->key, run->config().measure.seconds}];
+        if (turn.runs.empty()) turn = {raysweep::turn(run->plan().seed, round, planned->key), planned, {}};
+        turn.runs.push_back(run.get());
+      }
+    }
+    std::vector<Turn> order;
+    for (auto& [key, turn] : turns) order.push_back(std::move(turn));
+    std::ranges::stable_sort(order, {}, &Turn::at);
+    return order;
   }
 
   /// The serial picture of `cell`, rendered once; null when interrupted.
-  const Record* reference(const Cell& cell) {
+  const Reference* reference(const Cell& cell, const Measure& measure) {
     const std::string key = cell.picture_key();
     if (const auto known = references_.find(key); known != references_.end()) return &known->second;
-    Cell serial = cell;
-    serial.scheduler = "serial";
-    serial.threads = serial.processes = 1;
-    collapse_ignored_factors(serial);
-    LaunchOutcome outcome = tools_.launcher.picture(serial);
+    // How long it takes is not known yet; what takes longer than all there is cannot be measured anyway.
+    const double timeout = measure.timeout_seconds > 0 ? measure.timeout_seconds : std::max(budget_, 60.0);
+    const double begin = tools_.now();
+    LaunchOutcome outcome = tools_.launcher.picture(serial_cell(cell), timeout);
     if (outcome.interrupted) return nullptr;
     if (!outcome.record) {
       throw WorkError(fmt::format("the serial picture cannot be rendered ({}): {}", key, outcome.failure));
     }
-    return &references_.emplace(key, std::move(*outcome.record)).first->second;
-  }
-
-  /// Voids a record whose picture or rays are not the serial ones.
-  static void verify(Record& record, const Record& serial) {
-    if (!record.valid) return;
-    if (record.image_hash != serial.image_hash) {
-      record.reason =
-          fmt::format("picture {} differs from the serial one, {}", record.image_hash, serial.image_hash);
-    } else if (record.rays != serial.rays) {
-      record.reason = "its rays are not those of the serial picture";
-    }
-    record.valid = record.reason.empty();
-  }
-
-  /// Stands for a launch that left no record.
-  static Record void_record(const Cell& cell, const std::string& reason) {
-    Record r = record_of(cell);
-    r.valid = false;
-    r.reason = reason;
-    return r;
+    const double seconds = tools_.now() - begin;
+    return &references_.emplace(key, Reference{std::move(*outcome.record), seconds}).first->second;
   }
 
   /// One launch, verified and written down. False when interrupted.
-  bool take(const PlannedCell& planned, int round) {
-    const Record* const serial = reference(planned.cell);
+  bool take(const Turn& turn, int round) {
+    const Cell& cell = turn.planned->cell;
+    const Measure& measure = turn.runs.front()->config().measure;
+    const Reference* const serial = reference(cell, measure);
     if (!serial) return false;
+    const double timeout =
+        measure.timeout_seconds > 0 ? measure.timeout_seconds : default_timeout(cell, serial->seconds);
     const MachineRecord machine = machine_record(machine_);
-    LaunchOutcome outcome = tools_.launcher.launch(planned.cell, config_.measure.seconds);
+    const double begin = tools_.now();
+    LaunchOutcome outcome = tools_.launcher.launch(cell, measure.seconds, timeout);
     if (outcome.interrupted) return false;
-    Record record = outcome.record ? std::move(*outcome.record) : void_record(planned.cell, outcome.failure);
-    verify(record, *serial);
-    record.experiment = config_.experiment;
-    record.launch = report_.launches++;
-    record.round = round;
-    record.seed = plan_.seed;
+    Record record = outcome.record ? std::move(*outcome.record) : void_record(cell, outcome.failure);
+    verify(record, serial->record);
+    record.launch_seconds = tools_.now() - begin;
     record.machine = machine;
-    report_.void_launches += !record.valid;
-    folder_.append(record);
+    for (ExperimentRun* const run : turn.runs) run->take(record, round);
     return true;
   }
 
-  const Config& config_;
-  const Plan& plan_;
   const Machine& machine_;
-  RunFolder& folder_;
   const RunnerTools& tools_;
   const double start_;
-  std::set<std::pair<std::string, int>> done_;
-  std::map<std::string, Record> references_;
-  RunReport report_;
+  double budget_ = 0;
+  std::vector<std::unique_ptr<ExperimentRun>> runs_;
+  std::map<std::string, Reference> references_;
+  int launched_ = 0;
+  std::string widest_;  // interval so far, as text
 };
 
 }  // namespace
 
-RunReport run_plan(const Config& config, const Plan& plan, const Machine& machine, RunFolder& folder,
-                   const RunnerTools& tools) {
-  return Runner(config, plan, machine, folder, tools).run();
+double default_timeout(const Cell& cell, double picture_seconds) {
+  // A picture is one cold frame; a launch warms up for two or three, times one or more for a fraction of a
+  // second, and measures items: below ten pictures on a quiet machine.
+  constexpr double pictures = 20, least = 60;
+  return least + pictures * picture_seconds * cell.processes * (1 + cell.slowdown);
+}
+
+std::vector<RunReport> run_experiments(const std::vector<Experiment>& experiments, const Machine& machine,
+                                       const RunnerTools& tools) {
+  return Runner(experiments, machine, tools).run();
 }
 
 }  // namespace raysweep

@@ -1,24 +1,14 @@
-// Runs a plan: interleaved rounds of launches, each verified and written down before the next one starts.
+// Runs plans: interleaved rounds of launches, each verified and written down before the next one starts.
 #pragma once
 
 #include <functional>
-#include <map>
+#include <vector>
 
+#include "experiments/experiment_run.h"
 #include "experiments/launcher.h"
 #include "experiments/machine.h"
-#include "experiments/plan.h"
-#include "experiments/run_folder.h"
 
 namespace raysweep {
-
-/// Why a run ended.
-enum class RunEnd { complete, out_of_budget, interrupted };
-
-struct RunReport {
-  RunEnd end = RunEnd::complete;
-  int launches = 0, void_launches = 0;
-  int whole_rounds = 0;
-};
 
 struct RunnerTools {
   Launcher& launcher;
@@ -26,11 +16,18 @@ struct RunnerTools {
   bool quiet = false;           // no progress
 };
 
-/// Launches all cells, round by round, each round in its own random order, until all rounds are done, the
-/// budget is used up, or the user interrupts. Each picture is rendered once by `serial`; a launch whose
-/// picture or rays differ from that one, or that fails, is recorded as void. Throws WorkError if a serial
-/// picture cannot be had, or a record not written.
-[[nodiscard]] RunReport run_plan(const Config& config, const Plan& plan, const Machine& machine,
-                                 RunFolder& folder, const RunnerTools& tools);
+/// Launches all cells of all experiments, round by round, each round in its own random order: first as often
+/// as each is to be launched at least, then those whose interval is too wide, until all have converged or
+/// were launched as often as allowed, the experiments' budgets are used up, or the user interrupts. A cell
+/// that several experiments have is launched once a round for all of them. Each picture is rendered once by
+/// `serial`; a launch whose picture or rays differ from that one, that fails or takes too long, is recorded
+/// as void. One report an experiment, in their order. Throws WorkError if a serial picture cannot be had, or
+/// a record not written.
+[[nodiscard]] std::vector<RunReport> run_experiments(const std::vector<Experiment>& experiments,
+                                                     const Machine& machine, const RunnerTools& tools);
+
+/// Seconds after which a launch of `cell` counts as hung, where the config does not say: far more than it can
+/// take on a busy machine, by what the launch of its serial picture took.
+[[nodiscard]] double default_timeout(const Cell& cell, double picture_seconds);
 
 }  // namespace raysweep

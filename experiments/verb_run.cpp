@@ -9,6 +9,7 @@
 
 #include "experiments/clock.h"
 #include "experiments/errors.h"
+#include "experiments/estimate.h"
 #include "experiments/interrupt.h"
 #include "experiments/runner.h"
 #include "experiments/verbs.h"
@@ -40,80 +41,84 @@ Config read_config(const std::string& file, const RunOptions& options, const Mac
 }
 
 void print_plan(const Config& config, const Plan& plan) {
-  fmt::print("{}: {}\n{} cells, {} rounds, {} launches, seed {}, within {:.0f} s\n", config.experiment,
-             config.title, plan.cells.size(), plan.rounds,
-             plan.cells.size() * static_cast<size_t>(plan.rounds), plan.seed, config.measure.budget_seconds);
+  fmt::print(
+      "{}: {}\n{} cells, each launched {} times, up to {} where intervals stay wider than ±{:.3g} %; seed "
+      "{}\n",
+      config.experiment, config.title, plan.cells.size(), plan.rounds, plan.max_rounds, plan.interval * 100,
+      plan.seed);
   for (const PlannedCell& planned : plan.cells)
-    fmt::print("{}{}\n", planned.key, planned.asked ? "" : "  (base)");
+    fmt::print("{}{}\n", planned.key, planned.asked ? "" : planned.cell.twin ? "  (twin)" : "  (base)");
 }
 
-std::string advice(const RunReport& report, const Config& config, const Plan& plan,
-                   const std::filesystem::path& folder) {
+std::string advice(const RunReport& report, const Experiment& experiment) {
+  const auto& [config, plan, folder] = experiment;
   switch (report.end) {
     case RunEnd::complete:
       return {};
     case RunEnd::out_of_budget:
       return fmt::format(
-          "The budget of {:.0f} s was used up after {} of {} rounds; --budget gives more, --resume --out {} "
-          "goes on.",
-          config.measure.budget_seconds, report.whole_rounds, plan.rounds, folder.string());
+          "{}: the budget of {:.0f} s was used up after {} of {} rounds, or of {} for what does not "
+          "converge; "
+          "--budget gives more, --resume --out {} goes on.",
+          config.experiment, config.measure.budget_seconds, report.whole_rounds, plan.rounds, plan.max_rounds,
+          folder->path().string());
     case RunEnd::interrupted:
-      return fmt::format("Interrupted: {} finished launches are kept; go on with --resume --out {}.",
-                         report.launches, folder.string());
+      return fmt::format("{}: interrupted: {} finished launches are kept; go on with --resume --out {}.",
+                         config.experiment, report.launches, folder->path().string());
   }
   return {};
 }
 
-/// An experiment that is about to run: everything that can be refused has been.
-struct Prepared {
-  Config config;
-  Plan plan;
-  std::unique_ptr<RunFolder> folder;
-};
-
-nlohmann::json describe(const Prepared& prepared, const RunReport& report, const RunData& data) {
-  return {{"folder", prepared.folder->path().string()},
+nlohmann::json describe(const Experiment& experiment, const RunReport& report, const RunData& data) {
+  return {{"folder", experiment.folder->path().string()},
           {"launches", report.launches},
           {"void_launches", report.void_launches},
           {"complete", report.end == RunEnd::complete},
           {"rows", rows_as_json(data.rows)}};
 }
 
-/// The report of a run, or why it failed: what was measured before is told all the same.
-std::pair<RunReport, std::string> run_or_fail(const Prepared& p, const Machine& machine,
-                                              const RunnerTools& tools) {
+/// The reports of a run, or why it failed: what was measured before is told all the same.
+std::pair<std::vector<RunReport>, std::string> run_or_fail(const std::vector<Experiment>& experiments,
+                                                           const Machine& machine, const RunnerTools& tools) {
   try {
-    return {run_plan(p.config, p.plan, machine, *p.folder, tools), {}};
+    return {run_experiments(experiments, machine, tools), {}};
   } catch (const WorkError& error) {
-    return {RunReport{}, error.what()};
+    return {std::vector<RunReport>(experiments.size()), error.what()};
   }
 }
 
-/// Runs, then tells: on standard output the tables, or a document in `json`. The exit code.
-int run_one(const Prepared& prepared, const Machine& machine, nlohmann::json* json) {
-  const auto& [config, plan, folder] = prepared;
-  if (!json) {
-    fmt::print(stderr, "{}: {} cells in {} rounds, at most {:.0f} s; records go to {}\n", config.experiment,
-               plan.cells.size(), plan.rounds, config.measure.budget_seconds, folder->path().string());
-  }
-  ProcessLauncher launcher;
-  const auto [report, failure] = run_or_fail(prepared, machine, {launcher, now_seconds, json != nullptr});
-  const RunData data = read_run(folder->path());
-  write_tables(data.rows, data.context, folder->path() / "tables");
+/// On standard output the tables of one experiment, or a document in `json`. The exit code.
+int tell(const Experiment& experiment, const RunReport& report, nlohmann::json* json) {
+  const RunData data = read_run(experiment.folder->path());
+  write_tables(data.rows, data.context, experiment.folder->path() / "tables");
   if (json) {
-    json->push_back(describe(prepared, report, data));
+    json->push_back(describe(experiment, report, data));
   } else {
     fmt::print("{}\nRecords, machine and tables: {}\n", tables_as_text(data.rows, data.context),
-               folder->path().string());
+               experiment.folder->path().string());
   }
-  if (!failure.empty()) {
-    fmt::print(stderr, "raysweep: {}\n", failure);
-    return exit_failed;
-  }
-  const std::string text = advice(report, config, plan, folder->path());
+  const std::string text = advice(report, experiment);
   if (!text.empty()) fmt::print(stderr, "{}\n", text);
   if (report.end == RunEnd::interrupted) return exit_interrupted;
   return report.void_launches > 0 ? exit_failed : exit_done;
+}
+
+/// Runs, then tells. The exit code.
+int run_all(const std::vector<Experiment>& experiments, const Machine& machine, nlohmann::json* json) {
+  for (const auto& [config, plan, folder] : experiments) {
+    if (json) break;
+    fmt::print(stderr, "{}: {} cells in {} rounds or more, at most {:.0f} s; records go to {}\n",
+               config.experiment, plan.cells.size(), plan.rounds, config.measure.budget_seconds,
+               folder->path().string());
+  }
+  ProcessLauncher launcher;
+  const auto [reports, failure] = run_or_fail(experiments, machine, {launcher, now_seconds, json != nullptr});
+  int worst = exit_done;
+  for (size_t i = 0; i < experiments.size(); ++i)
+    worst = std::max(worst, tell(experiments[i], reports[i], json));
+  if (failure.empty()) return worst;
+  fmt::print(stderr, "raysweep: {}\n", failure);
+  return exit_failed;
 }
 
 std::vector<Config> read_configs(const RunOptions& options, const Machine& machine) {
@@ -137,21 +142,49 @@ std::vector<Config> read_configs(const RunOptions& options, const Machine& machi
   return configs;
 }
 
-std::vector<Prepared> prepare(std::vector<Config> configs, const RunOptions& options,
-                              const Machine& machine) {
-  std::vector<Prepared> list;
+std::vector<Experiment> prepare(std::vector<Config> configs, const RunOptions& options,
+                                const Machine& machine) {
+  std::vector<Experiment> list;
   // Every plan before the first folder: what one refuses leaves nothing of the others.
   for (Config& config : configs) {
     Plan plan = make_plan(config, machine.size());
     list.push_back({std::move(config), std::move(plan), nullptr});
   }
-  for (Prepared& p : list) {
+  for (Experiment& p : list) {
     std::filesystem::path out =
         options.out.empty() ? default_folder(p.config) : std::filesystem::path(options.out);
     if (!options.out.empty() && list.size() > 1) out /= p.config.experiment;
     p.folder = std::make_unique<RunFolder>(out, p.config, p.plan, machine, options.resume);
   }
   return list;
+}
+
+std::string minutes(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
+/// What would be launched, and how long it might take.
+void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohmann::json* json) {
+  std::vector<Plan> plans;
+  double budget = 0;
+  for (const Config& config : configs) {
+    plans.push_back(make_plan(config, machine.size()));
+    budget += config.measure.budget_seconds;
+  }
+  ProcessLauncher launcher;
+  const TimeEstimate estimate = estimate_time(configs, plans, machine.size(), {launcher, now_seconds, true});
+  for (size_t i = 0; i < configs.size(); ++i) {
+    if (json) {
+      json->push_back(to_json(plans[i]));
+      json->back()["estimate_seconds"] = estimate.first_rounds;
+    } else {
+      print_plan(configs[i], plans[i]);
+    }
+  }
+  if (json || configs.empty()) return;
+  fmt::print("About {} for the first rounds of {}, up to {} if nothing converges before; the budget is {}.\n",
+             minutes(estimate.first_rounds), configs.size() > 1 ? "all experiments" : "all cells",
+             minutes(estimate.all_rounds), minutes(budget));
 }
 
 int run(const RunOptions& options, bool as_json) {
@@ -167,27 +200,15 @@ int run(const RunOptions& options, bool as_json) {
     return true;
   });
   if (options.dry_run) {
-    for (const Config& config : configs) {
-      const Plan plan = make_plan(config, machine.size());
-      if (as_json) {
-        json.push_back(to_json(plan));
-      } else {
-        print_plan(config, plan);
-      }
-    }
+    dry_run(configs, machine, as_json ? &json : nullptr);
     if (as_json) fmt::print("{}\n", json.dump(1));
     return exit_done;
   }
-  const std::vector<Prepared> list = prepare(std::move(configs), options, machine);
+  const std::vector<Experiment> list = prepare(std::move(configs), options, machine);
   catch_interrupts();
-  int worst = exit_done;
-  for (const Prepared& prepared : list) {
-    const int code = run_one(prepared, machine, as_json ? &json : nullptr);
-    worst = std::max(worst, code);
-    if (code == exit_interrupted) break;
-  }
+  const int code = run_all(list, machine, as_json ? &json : nullptr);
   if (as_json) fmt::print("{}\n", json.dump(1));
-  return worst;
+  return code;
 }
 
 }  // namespace
@@ -199,7 +220,7 @@ void add_run(CommandLine& line) {
   verb->add_option("config", options.configs, "experiment files (TOML)")->required();
   verb->add_option("--out", options.out, "folder of the run (default: results/runs/EXPERIMENT-TIME)");
   verb->add_flag("--resume", options.resume, "go on with the run in --out");
-  verb->add_flag("--dry-run", options.dry_run, "print the cells and run nothing");
+  verb->add_flag("--dry-run", options.dry_run, "print the cells and how long they would take; write nothing");
   verb->add_option("--budget", options.budget_minutes, "minutes for each experiment")
       ->check(CLI::PositiveNumber);
   verb->add_option("--seed", options.seed, "seed of the launches' order");

@@ -32,8 +32,8 @@ class FakeMachine final : public Launcher {
  public:
   explicit FakeMachine(Topology topology) : topology_(std::move(topology)) {}
 
-  LaunchOutcome launch(const Cell& cell, double) override {
-    Record r = picture(cell).record.value();
+  LaunchOutcome launch(const Cell& cell, double, double) override {
+    Record r = picture(cell, 0).record.value();
     r.threads_seen = cell.threads;
     std::set<int> cores, processors;
     for (const int processor : place(cell.pin, cell.threads, topology_)) {
@@ -50,7 +50,7 @@ class FakeMachine final : public Launcher {
     return {r, {}, false};
   }
 
-  LaunchOutcome picture(const Cell& cell) override {
+  LaunchOutcome picture(const Cell& cell, double) override {
     Record r = record_of(cell);
     r.image_hash = "right";
     r.rays.primary = 100;
@@ -70,11 +70,13 @@ class HyperThreadingRun : public testing::Test {
 
   RunData run(const Machine& machine) {
     FakeMachine launcher(machine.topology);
-    const Config config = config_for(machine);
-    const Plan plan = make_plan(config, machine.size());
-    RunFolder folder(path, config, plan, machine, false);
+    std::vector<Experiment> experiments(1);
+    experiments[0].config = config_for(machine);
+    experiments[0].plan = make_plan(experiments[0].config, machine.size());
+    experiments[0].folder =
+        std::make_unique<RunFolder>(path, experiments[0].config, experiments[0].plan, machine, false);
     double clock = 0;
-    (void)run_plan(config, plan, machine, folder, {launcher, [&] { return clock += 0.01; }, true});
+    (void)run_experiments(experiments, machine, {launcher, [&] { return clock += 0.01; }, true});
     return read_run(path);
   }
 };

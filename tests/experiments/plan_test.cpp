@@ -20,22 +20,54 @@ bool has(const Plan& plan, const std::string& scheduler, int threads, int proces
 
 TEST(plan, adds_the_bases_that_its_tables_compare_with) {
   const Plan plan = plan_of("[sweep]\nscheduler = \"thread_static\"\nthreads = [2, 4]\n");
-  EXPECT_EQ(plan.cells.size(), 5u);
+  EXPECT_EQ(plan.cells.size(), 6u) << "and a twin";
   EXPECT_TRUE(has(plan, "serial", 1));
   EXPECT_TRUE(has(plan, "thread_static", 1));
   EXPECT_TRUE(has(plan, "serial", 1, 2)) << "the ceiling of two processors serves two and four threads";
   for (const PlannedCell& p : plan.cells)
-    EXPECT_EQ(p.asked, p.cell.scheduler == "thread_static" && p.cell.threads > 1) << p.key;
+    EXPECT_EQ(p.asked, p.cell.scheduler == "thread_static" && p.cell.threads > 1 && !p.cell.twin) << p.key;
+}
+
+TEST(plan, the_twin_is_of_the_cell_that_fills_the_machine) {
+  const Plan plan =
+      plan_of("[sweep]\nscheduler = [\"thread_static\", \"thread_cyclic\"]\nthreads = [4, 1, 2]\n");
+  const auto twin = std::ranges::find_if(plan.cells, [](const PlannedCell& p) { return p.cell.twin; });
+  ASSERT_NE(twin, plan.cells.end());
+  EXPECT_EQ(twin->cell.scheduler, "thread_static");
+  EXPECT_EQ(twin->cell.threads, 2);
+  EXPECT_FALSE(twin->asked);
+  for (const PlannedCell& p : plan.cells)
+    EXPECT_EQ(std::ranges::count(p.bases, twin->key), p.key + ",twin=1" == twin->key);
+}
+
+TEST(plan, cells_keep_their_turns_whichever_others_take_part) {
+  const Plan all = plan_of("[sweep]\nscheduler = \"thread_cyclic\"\nthreads = [1, 2]\nchunk = [1, 2, 3]\n"),
+             some = plan_of("[sweep]\nscheduler = \"thread_cyclic\"\nthreads = 2\nchunk = [1, 3]\n");
+  const auto keys = [](const Plan& plan) {
+    std::vector<std::string> list;
+    for (const size_t index : plan.order(3)) list.push_back(plan.cells[index].key);
+    return list;
+  };
+  const auto of_some = keys(some);
+  auto of_all = keys(all);
+  std::erase_if(of_all,
+                [&](const std::string& key) { return std::ranges::find(of_some, key) == of_some.end(); });
+  ASSERT_GT(of_all.size(), 3u);
+  std::vector<std::string> shared = of_some;
+  std::erase_if(shared,
+                [&](const std::string& key) { return std::ranges::find(of_all, key) == of_all.end(); });
+  EXPECT_EQ(of_all, shared);
 }
 
 TEST(plan, factors_that_a_scheduler_ignores_make_one_cell) {
   EXPECT_EQ(plan_of("[sweep]\nscheduler = \"serial\"\nthreads = [1, 2, 3]\nchunk = [1, 2]\n").cells.size(),
-            1u);
+            2u)
+      << "and its twin";
 }
 
 TEST(plan, a_swept_value_wins_over_the_mode) {
   const Plan plan = plan_of("[scene]\nmodes = [\"low\", \"hard\"]\n[sweep]\ndepth = 9\n");
-  ASSERT_EQ(plan.cells.size(), 2u);
+  ASSERT_EQ(plan.cells.size(), 3u);
   for (const PlannedCell& p : plan.cells) EXPECT_EQ(p.cell.settings.depth, 9);
   EXPECT_EQ(plan.cells[1].cell.settings.width, 1024);
 }

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "experiments/errors.h"
+#include "experiments/estimate.h"
+#include "experiments/launch.h"
 #include "experiments/progress.h"
 #include "results/run_data.h"
 #include "tests/results/make_record.h"
@@ -22,26 +24,33 @@ class FakeLauncher final : public Launcher {
   int launched = 0, pictures = 0;
   int interrupt_after = -1;  // launches
   std::string wrong_scheduler, failing_scheduler, idle_scheduler;
+  std::string noisy_scheduler;  // its frames take from 0.3 to 0.7 s, others 0.5 s
+  std::vector<double> timeouts;
 
-  LaunchOutcome launch(const Cell& cell, double) override {
+  LaunchOutcome launch(const Cell& cell, double, double timeout) override {
     if (launched == interrupt_after) return {std::nullopt, {}, true};
     launched++;
     clock += 10;
+    timeouts.push_back(timeout);
     if (cell.scheduler == failing_scheduler) return {std::nullopt, "killed by signal 9", false};
-    Record r = make_record(cell.scheduler, cell.threads, 0, 0.5, cell.processes);
+    const double seconds = cell.scheduler == noisy_scheduler ? 0.3 + 0.1 * (launched % 5) : 0.5;
+    Record r = make_record(cell.scheduler, cell.threads, 0, seconds, cell.processes);
     r.cell = cell.key();
     r.mode = cell.mode;
     r.chunk = cell.chunk_text();
+    r.twin = cell.twin;
     r.rays.primary = cell.scheduler == idle_scheduler ? 50 : 100;
     r.image_hash = cell.scheduler == wrong_scheduler ? "other" : "right";
     return {r, {}, false};
   }
-  LaunchOutcome picture(const Cell& cell) override {
+  LaunchOutcome picture(const Cell& cell, double) override {
     EXPECT_EQ(cell.scheduler, "serial");
     pictures++;
+    clock += 3;
     Record r;
     r.image_hash = "right";
     r.rays.primary = 100;
+    r.frame_seconds = {{2}};
     return {r, {}, false};
   }
 };
@@ -54,8 +63,10 @@ class RunnerTest : public testing::Test {
   FakeLauncher launcher;
   Config config = parse_config(
       "experiment = \"x\"\n[scene]\nmodes = [\"low\", \"hard\"]\n[sweep]\nscheduler = "
-      "\"thread_static\"\nthreads = 2\n",
+      "\"thread_static\"\nthreads = 2\n[measure]\nbudget = \"2 h\"\n",
       "x.toml", {}, {2, 2});
+  // For each mode serial, one thread, co-run and two threads; and one twin.
+  static constexpr size_t cells = 9;
 
   RunnerTest() {
     std::filesystem::remove_all(path);
@@ -63,10 +74,19 @@ class RunnerTest : public testing::Test {
   }
   ~RunnerTest() override { std::filesystem::remove_all(path); }
 
+  [[nodiscard]] Experiment experiment(const Config& of, const std::filesystem::path& folder,
+                                      bool resume) const {
+    Experiment e{of, make_plan(of, machine.size()), nullptr};
+    e.folder = std::make_unique<RunFolder>(folder, e.config, e.plan, machine, resume);
+    return e;
+  }
+  [[nodiscard]] RunnerTools tools() {
+    return {launcher, [this] { return launcher.clock; }, true};
+  }
   RunReport run(bool resume = false) {
-    const Plan plan = make_plan(config, machine.size());
-    RunFolder folder(path, config, plan, machine, resume);
-    return run_plan(config, plan, machine, folder, {launcher, [this] { return launcher.clock; }, true});
+    std::vector<Experiment> one;
+    one.push_back(experiment(config, path, resume));
+    return run_experiments(one, machine, tools()).front();
   }
   /// The sentence by which a run is refused.
   std::string refusal(bool resume) {
@@ -84,7 +104,7 @@ TEST_F(RunnerTest, every_cell_is_launched_in_every_round_and_each_picture_render
   const RunReport report = run();
   EXPECT_EQ(report.end, RunEnd::complete);
   EXPECT_EQ(launcher.pictures, 2) << "one a mode";
-  EXPECT_EQ(records().size(), 2u * 4 * 7) << "serial, one thread, co-run, two threads";
+  EXPECT_EQ(records().size(), cells * 7);
   std::set<std::pair<std::string, int>> seen;
   for (const Record& r : records()) {
     EXPECT_TRUE(r.valid);
@@ -99,13 +119,13 @@ TEST_F(RunnerTest, every_cell_is_launched_in_every_round_and_each_picture_render
 TEST_F(RunnerTest, launches_of_different_cells_are_interleaved) {
   (void)run();
   const auto all = records();
-  for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].round, static_cast<int>(i / 8));
+  for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].round, static_cast<int>(i / cells));
 }
 
 TEST_F(RunnerTest, a_wrong_picture_voids_its_launch_and_says_why) {
   launcher.wrong_scheduler = "thread_static";
   const RunReport report = run();
-  EXPECT_EQ(report.void_launches, 2 * 2 * 7);
+  EXPECT_EQ(report.void_launches, 5 * 7);
   for (const Record& r : records()) {
     EXPECT_EQ(r.valid, r.scheduler == "serial");
     if (!r.valid) {
@@ -116,19 +136,19 @@ TEST_F(RunnerTest, a_wrong_picture_voids_its_launch_and_says_why) {
 
 TEST_F(RunnerTest, a_launch_that_dies_is_a_void_record_and_the_run_goes_on) {
   launcher.failing_scheduler = "thread_static";
-  EXPECT_EQ(run().void_launches, 28);
-  EXPECT_EQ(records().size(), 56u);
+  EXPECT_EQ(run().void_launches, 35);
+  EXPECT_EQ(records().size(), cells * 7);
   const RunData data = read_run(path);
   EXPECT_FALSE(data.rows[2].fps);
   EXPECT_NE(data.rows[2].notes.front().find("killed by signal 9"), std::string::npos);
 }
 
 TEST_F(RunnerTest, the_cells_share_the_budget) {
-  config.measure.budget_seconds = 165;
+  config.measure.budget_seconds = 185;
   const RunReport report = run();
   EXPECT_EQ(report.end, RunEnd::out_of_budget);
   EXPECT_EQ(report.whole_rounds, 2);
-  EXPECT_EQ(records().size(), 17u) << "17 launches of ten seconds begin within 165";
+  EXPECT_EQ(records().size(), 18u) << "18 launches of ten seconds begin within 185, after two pictures of 3";
 }
 
 TEST_F(RunnerTest, an_interrupted_run_keeps_its_launches_and_resumes_where_it_stopped) {
@@ -137,29 +157,29 @@ TEST_F(RunnerTest, an_interrupted_run_keeps_its_launches_and_resumes_where_it_st
   EXPECT_EQ(records().size(), 11u);
   launcher.interrupt_after = -1;
   EXPECT_EQ(run(true).end, RunEnd::complete);
-  EXPECT_EQ(launcher.launched, 56) << "no launch twice";
+  EXPECT_EQ(launcher.launched, 63) << "no launch twice";
   std::set<std::pair<std::string, int>> seen;
   std::set<int> numbers;
   for (const Record& r : records()) {
     seen.insert({r.cell, r.round});
     numbers.insert(r.launch);
   }
-  EXPECT_EQ(seen.size(), 56u);
-  EXPECT_EQ(numbers.size(), 56u);
+  EXPECT_EQ(seen.size(), 63u);
+  EXPECT_EQ(numbers.size(), 63u);
 }
 
 TEST_F(RunnerTest, void_launches_are_tried_again_on_resume_and_the_later_record_counts) {
   launcher.failing_scheduler = "thread_static";
-  EXPECT_EQ(run().void_launches, 28);
+  EXPECT_EQ(run().void_launches, 35);
   launcher.failing_scheduler.clear();
   EXPECT_EQ(run(true).void_launches, 0);
-  EXPECT_EQ(records().size(), 56u + 28);
+  EXPECT_EQ(records().size(), cells * 7 + 35);
   for (const CellRow& row : read_run(path).rows) EXPECT_EQ(row.void_launches, 0) << row.cell.cell;
 }
 
 TEST_F(RunnerTest, rays_that_differ_from_the_serial_ones_void_a_launch) {
   launcher.idle_scheduler = "thread_static";
-  EXPECT_EQ(run().void_launches, 28);
+  EXPECT_EQ(run().void_launches, 35);
   EXPECT_EQ(read_run(path).rows[2].notes.front(),
             "7 of 7 launches void: its rays are not those of the serial picture");
 }
@@ -176,7 +196,7 @@ TEST_F(RunnerTest, a_line_cut_by_a_kill_is_dropped_on_resume) {
   std::ofstream(path / "records.jsonl", std::ios::app) << "{\"schema\": 1, \"kin";
   launcher.interrupt_after = -1;
   EXPECT_EQ(run(true).end, RunEnd::complete);
-  EXPECT_EQ(records().size(), 56u);
+  EXPECT_EQ(records().size(), cells * 7);
 }
 
 TEST_F(RunnerTest, a_folder_with_a_run_is_taken_up_only_on_request_and_only_by_the_same_config) {
@@ -207,6 +227,129 @@ TEST_F(RunnerTest, tables_come_byte_for_byte_from_the_records) {
   };
   EXPECT_EQ(text(), text());
   EXPECT_NE(text().find("fps of thread_static"), std::string::npos) << text();
+}
+
+TEST_F(RunnerTest, what_has_not_converged_is_launched_again_with_what_it_is_compared_with) {
+  launcher.noisy_scheduler = "thread_static";
+  EXPECT_EQ(run().end, RunEnd::complete);
+  std::map<std::string, int> launches;
+  for (const Record& r : records()) launches[r.cell]++;
+  ASSERT_EQ(launches.size(), cells);
+  for (const auto& [cell, count] : launches)
+    EXPECT_EQ(count, 28) << cell << ": noisy, or a base of such a one";
+}
+
+TEST_F(RunnerTest, what_has_converged_is_left_alone) {
+  config = parse_config(
+      "experiment = \"x\"\n[scene]\nmodes = [\"low\"]\n[sweep]\nscheduler = "
+      "[\"thread_static\", \"thread_cyclic\"]\nthreads = [1, 2]\n[measure]\nmax_launches = 20\nbudget = \"2 h\"\n",
+      "x.toml", {}, {2, 2});
+  launcher.noisy_scheduler = "thread_cyclic";
+  (void)run();
+  std::map<std::string, int> launches;
+  for (const Record& r : records()) {
+    if (!r.twin && r.processes == 1) launches[r.scheduler + std::to_string(r.threads)]++;
+  }
+  const std::map<std::string, int> expected{{"serial1", 20},
+                                            {"thread_static1", 7},
+                                            {"thread_static2", 7},
+                                            {"thread_cyclic1", 20},
+                                            {"thread_cyclic2", 20}};
+  EXPECT_EQ(launches, expected);
+}
+
+TEST_F(RunnerTest, a_resumed_run_ends_with_the_launches_of_an_undisturbed_one) {
+  launcher.noisy_scheduler = "thread_static";
+  (void)run();
+  std::map<std::string, int> undisturbed, resumed;
+  for (const Record& r : records()) undisturbed[r.cell]++;
+  std::filesystem::remove_all(path);
+  for (launcher.launched = 0; launcher.launched < 28 * int(cells);) {
+    launcher.interrupt_after = launcher.launched + 17;
+    if (run(launcher.launched > 0).end == RunEnd::complete) break;
+  }
+  for (const Record& r : records()) resumed[r.cell]++;
+  EXPECT_EQ(resumed, undisturbed);
+}
+
+TEST_F(RunnerTest, a_cell_that_never_works_is_given_up_after_the_first_rounds) {
+  launcher.failing_scheduler = "thread_static";
+  launcher.noisy_scheduler = "serial";
+  (void)run();
+  std::map<std::string, int> launches;
+  for (const Record& r : records()) launches[r.scheduler + (r.processes > 1 ? " together" : "")]++;
+  EXPECT_EQ(launches["thread_static"], 5 * 7);
+  EXPECT_EQ(launches["serial"], 2 * 28);
+}
+
+TEST_F(RunnerTest, a_launch_may_take_many_times_as_long_as_the_serial_picture) {
+  (void)run();
+  EXPECT_EQ(*std::ranges::min_element(launcher.timeouts), default_timeout(Cell(), 3));
+  Cell together;
+  together.processes = 4;
+  EXPECT_GT(default_timeout(together, 3), default_timeout(Cell(), 3));
+  std::filesystem::remove_all(path);
+  launcher.timeouts.clear();
+  config.measure.timeout_seconds = 2;
+  (void)run();
+  for (const double timeout : launcher.timeouts) EXPECT_EQ(timeout, 2);
+}
+
+/// Serial, one and two threads of thread_static, co-run and twin are in both.
+TEST_F(RunnerTest, experiments_share_the_cells_that_both_have) {
+  const auto other = parse_config(
+      "experiment = \"y\"\n[scene]\nmodes = [\"low\"]\n[sweep]\nscheduler = [\"thread_static\", "
+      "\"thread_cyclic\"]\nthreads = 2\n[measure]\nlaunches = 8\nbudget = \"2 h\"\n",
+      "y.toml", {}, {2, 2});
+  std::vector<Experiment> both;
+  both.push_back(experiment(config, path / "x", false));
+  both.push_back(experiment(other, path / "y", false));
+  const auto reports = run_experiments(both, machine, tools());
+  const auto of_x = read_records(path / "x" / "records.jsonl"),
+             of_y = read_records(path / "y" / "records.jsonl");
+  EXPECT_EQ(of_x.size(), cells * 7);
+  EXPECT_EQ(of_y.size(), 7u * 8) << "two more cells, an eighth round";
+  EXPECT_EQ(reports[1].launches, 56);
+  EXPECT_EQ(launcher.launched, 7 * 9 + 7 * 2 + 7) << "the five of both once a round";
+  EXPECT_EQ(launcher.pictures, 2);
+  for (const Record& r : of_x) EXPECT_EQ(r.experiment, "x");
+  for (const Record& r : of_y) EXPECT_EQ(r.experiment, "y");
+  std::set<int> numbers;
+  for (const Record& r : of_y) numbers.insert(r.launch);
+  EXPECT_EQ(numbers.size(), 56u);
+  EXPECT_EQ(*numbers.rbegin(), 55);
+}
+
+TEST_F(RunnerTest, experiments_whose_launches_are_of_other_lengths_share_pictures_only) {
+  Config longer = config;
+  longer.experiment = "y";
+  longer.measure.seconds = 1;
+  std::vector<Experiment> both;
+  both.push_back(experiment(config, path / "x", false));
+  both.push_back(experiment(longer, path / "y", false));
+  (void)run_experiments(both, machine, tools());
+  EXPECT_EQ(launcher.launched, 2 * 7 * int(cells));
+  EXPECT_EQ(launcher.pictures, 2);
+}
+
+/// A picture of 2 s at an eighth of the width and height; launches time 0.3 s at least.
+TEST_F(RunnerTest, the_time_that_a_run_would_take_is_told_before) {
+  const Plan plan = make_plan(config, machine.size());
+  const TimeEstimate estimate = estimate_time({config}, {plan}, machine.size(), tools());
+  EXPECT_EQ(launcher.launched, 0);
+  const double frame = 2 * 64, start = 1;
+  const double serial = start + 3 * frame, one = start + 2 * frame, together = one, two = start + frame;
+  const double pictures = 2 * (start + frame);
+  EXPECT_NEAR(estimate.first_rounds, pictures + 7 * (2 * (serial + one + together + two) + two), 1e-6);
+  EXPECT_NEAR(estimate.all_rounds, pictures + 28 * (2 * (serial + one + together + two) + two), 1e-6);
+}
+
+TEST(launch, is_warm_when_frames_have_stopped_getting_faster) {
+  EXPECT_FALSE(has_settled({1}));
+  EXPECT_FALSE(has_settled({1, 0.9}));
+  EXPECT_TRUE(has_settled({1, 0.9, 0.89}));
+  EXPECT_TRUE(has_settled({1, 0.9, 1.5})) << "slower is noise";
+  EXPECT_FALSE(has_settled({1, 0.9, 1.5, 0.8}));
 }
 
 TEST(progress, the_time_left_follows_the_pace_and_never_exceeds_the_budget) {
