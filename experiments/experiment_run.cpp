@@ -26,8 +26,8 @@ int last_look(const Plan& plan, int round) {
 
 std::string short_name(const Cell& cell) {
   if (cell.processes > 1) return fmt::format("{} · {} × serial", cell.mode, cell.processes);
-  return fmt::format("{} · {} {} {}", cell.mode, cell.scheduler, cell.threads,
-                     cell.threads == 1 ? "thread" : "threads");
+  return fmt::format("{} · {} {} {}{}", cell.mode, cell.scheduler, cell.threads,
+                     cell.threads == 1 ? "thread" : "threads", cell.twin ? " (twin)" : "");
 }
 
 ExperimentRun::ExperimentRun(const Experiment& experiment) : experiment_(experiment) {
@@ -84,7 +84,10 @@ void ExperimentRun::take(Record record, int round) {
   record.launch = report.launches++;
   record.round = round;
   record.seed = plan().seed;
-  report.void_launches += !record.valid;
+  if (!record.valid && report.void_launches++ == 0) {
+    const auto planned = std::ranges::find(plan().cells, record.cell, &PlannedCell::key);
+    report.first_void = fmt::format("{}: {}", short_name(planned->cell), record.reason);
+  }
   if (record.valid) fps_[record.cell][round] = record.fps();
   experiment_.folder->append(record);
 }

@@ -20,7 +20,8 @@ enum class RunEnd { complete, out_of_budget, interrupted };
 struct RunReport {
   RunEnd end = RunEnd::complete;
   int launches = 0, void_launches = 0;
-  int whole_rounds = 0;  // in which every cell took part that had to
+  std::string first_void;  // which of them was the first, and why
+  int whole_rounds = 0;    // in which every cell took part that had to
 };
 
 /// An experiment that can be run: everything that can be refused has been.

@@ -20,6 +20,8 @@ void catch_interrupts() {
     if (old.sa_handler == SIG_IGN) continue;  // started by nohup, say: it stays ignored
     sigaction(signal, &action, nullptr);      // no SA_RESTART: waits wake up
   }
+  // A limit on file sizes is told by the write that does not fit, which we answer for, and not by our death.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return caught != 0; }

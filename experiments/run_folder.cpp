@@ -19,15 +19,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// All of it or nothing, whenever we die.
 void write_whole(const fs::path& file, const std::string& text) {
   const fs::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(part, file, error);
-  if (!out || error)
-    throw RequestError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+  const FileDescriptor out(open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  const bool written = out.is_open() &&
+                       write(out.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+                       fsync(out.get()) == 0 && rename(part.c_str(), file.c_str()) == 0;
+  if (written) return;
+  const std::string reason = std::strerror(errno);
+  unlink(part.c_str());
+  throw RequestError(fmt::format("{}: cannot be written: {}", file.string(), reason));
 }
 
 std::string read_whole(const fs::path& file) {

@@ -14,9 +14,9 @@ int run(const std::vector<std::string>& folders, bool as_json) {
   auto json = nlohmann::json::array();
   for (const std::string& folder : folders) {
     const RunData data = read_run(folder);
-    write_tables(data.rows, data.context, std::filesystem::path(folder) / "tables");
     json.push_back({{"folder", folder}, {"rows", rows_as_json(data.rows)}});
     if (!as_json) fmt::print("{}\n", tables_as_text(data.rows, data.context));
+    write_tables(data.rows, data.context, std::filesystem::path(folder) / "tables");
   }
   if (as_json) fmt::print("{}\n", json.dump(1));
   return exit_done;

@@ -90,15 +90,19 @@ std::pair<std::vector<RunReport>, std::string> run_or_fail(const std::vector<Exp
 /// On standard output the tables of one experiment, or a document in `json`. The exit code.
 int tell(const Experiment& experiment, const RunReport& report, nlohmann::json* json) {
   const RunData data = read_run(experiment.folder->path());
-  write_tables(data.rows, data.context, experiment.folder->path() / "tables");
   if (json) {
     json->push_back(describe(experiment, report, data));
   } else {
     fmt::print("{}\nRecords, machine and tables: {}\n", tables_as_text(data.rows, data.context),
                experiment.folder->path().string());
   }
+  if (report.void_launches > 0) {
+    fmt::print(stderr, "{}: {} of {} launches void; the first: {}\n", experiment.config.experiment,
+               report.void_launches, report.launches, report.first_void);
+  }
   const std::string text = advice(report, experiment);
   if (!text.empty()) fmt::print(stderr, "{}\n", text);
+  write_tables(data.rows, data.context, experiment.folder->path() / "tables");
   if (report.end == RunEnd::interrupted) return exit_interrupted;
   return report.void_launches > 0 ? exit_failed : exit_done;
 }

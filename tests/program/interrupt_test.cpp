@@ -10,45 +10,13 @@
 #include <set>
 #include <thread>
 
+#include "tests/program/processes.h"
 #include "tests/program/program.h"
 
 namespace raysweep {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// Parents of all processes, by process.
-std::map<pid_t, pid_t> process_parents() {
-  std::map<pid_t, pid_t> parents;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    std::ifstream file(entry.path() / "stat");
-    std::string text;
-    if (!std::getline(file, text)) continue;
-    std::istringstream rest(text.substr(text.rfind(')') + 1));  // the name before may hold anything
-    char state = 0;
-    pid_t parent = 0;
-    if (rest >> state >> parent && state != 'Z') parents[std::atoi(text.c_str())] = parent;
-  }
-  return parents;
-}
-
-std::set<pid_t> children_of(pid_t pid) {
-  std::set<pid_t> children;
-  for (const auto& [child, parent] : process_parents()) {
-    if (parent == pid) children.insert(child);
-  }
-  return children;
-}
-
-template <class Condition>
-bool becomes_true(Condition&& condition) {
-  const auto give_up = std::chrono::steady_clock::now() + 60s;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > give_up) return false;
-    std::this_thread::sleep_for(5ms);
-  }
-  return true;
-}
 
 class Interrupt : public testing::Test {
  public:
@@ -165,7 +133,7 @@ TEST_F(Interrupt, a_killed_launch_is_a_void_record_and_the_run_fails_at_its_end)
   const std::string small = folder.write(
       "small.toml",
       "experiment = \"x\"\n[sweep]\nscheduler = \"thread_static\"\nthreads = 2\nwidth = 64\nheight = 64\n"
-      "[measure]\nlaunches = 2\nseconds = 2\n");
+      "[measure]\nlaunches = 2\nseconds = 0.7\n");
   Program program({"run", small, "--out", out});
   (void)children_after(program, 1);
   ASSERT_TRUE(becomes_true([&] {
@@ -177,7 +145,8 @@ TEST_F(Interrupt, a_killed_launch_is_a_void_record_and_the_run_fails_at_its_end)
   }));
   const ProgramResult result = program.wait();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.out.find("launches void: killed by signal 9"), std::string::npos) << result.out;
+  EXPECT_NE(result.err.find("launches void; the first: custom · "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("killed by signal 9"), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ std::filesystem::path temporary_file() {
 
 }  // namespace
 
-Program::Program(std::vector<std::string> arguments) : out_(temporary_file()), err_(temporary_file()) {
+Program::Program(std::vector<std::string> arguments, void (*prepare)())
+    : out_(temporary_file()), err_(temporary_file()) {
   arguments.insert(arguments.begin(), RAYSWEEP_PROGRAM);
   std::vector<char*> raw;
   for (std::string& a : arguments) raw.push_back(a.data());
@@ -30,6 +31,7 @@ Program::Program(std::vector<std::string> arguments) : out_(temporary_file()), e
   if (pid_ != 0) return;
   dup2(open(out_.c_str(), O_WRONLY | O_TRUNC), STDOUT_FILENO);
   dup2(open(err_.c_str(), O_WRONLY | O_TRUNC), STDERR_FILENO);
+  if (prepare) prepare();
   execv(raw[0], raw.data());
   _exit(127);
 }
@@ -53,7 +55,9 @@ ProgramResult Program::wait() {
           read_file(err_)};
 }
 
-ProgramResult run_program(std::vector<std::string> arguments) { return Program(std::move(arguments)).wait(); }
+ProgramResult run_program(std::vector<std::string> arguments, void (*prepare)()) {
+  return Program(std::move(arguments), prepare).wait();
+}
 
 TemporaryFolder::TemporaryFolder() {
   std::string name = std::filesystem::temp_directory_path() / "raysweep_test_XXXXXX";

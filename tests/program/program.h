@@ -17,7 +17,8 @@ struct ProgramResult {
 /// A program that goes on while the test does.
 class Program {
  public:
-  explicit Program(std::vector<std::string> arguments);
+  /// `prepare` is called in the new process before it becomes the program.
+  explicit Program(std::vector<std::string> arguments, void (*prepare)() = nullptr);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -32,7 +33,7 @@ class Program {
 };
 
 /// Runs the program to its end.
-[[nodiscard]] ProgramResult run_program(std::vector<std::string> arguments);
+[[nodiscard]] ProgramResult run_program(std::vector<std::string> arguments, void (*prepare)() = nullptr);
 
 /// A folder of the test's own, gone with the object.
 class TemporaryFolder {

@@ -175,7 +175,8 @@ TEST(run, measures_checks_and_tells) {
   const auto all = json_of({"run", config, "--json", "--out", folder.file("out")});
   ASSERT_EQ(all.size(), 1u);
   EXPECT_TRUE(all[0]["complete"]);
-  EXPECT_EQ(all[0]["launches"], 2 * 2 * 4) << "two modes of serial, 1 thread, 2 threads and co-run, twice";
+  // Two modes of serial, 1 thread, 2 threads and co-run (where there are two processors), and a twin; twice.
+  EXPECT_EQ(all[0]["launches"], 2 * (2 * 4 + 1));
   EXPECT_EQ(all[0]["rows"].size(), 6u);
   for (const char* file : {"config.toml", "plan.json", "machine.json", "records.jsonl", "tables/scaling.md",
                            "tables/scaling.csv", "tables/fps-thread_static.csv"}) {
@@ -203,9 +204,12 @@ TEST(run, a_dry_run_prints_the_cells_and_writes_nothing) {
   const ProgramResult result = run_program({"run", config, "--dry-run", "--out", folder.file("out"), "--set",
                                             "measure.launches=3", "--seed", "9"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.out.find("3 rounds"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("each launched 3 times"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("seed 9"), std::string::npos);
+  EXPECT_NE(result.out.find(" for the first rounds of all cells"), std::string::npos);
   EXPECT_EQ(folder.entries(), 1u);
+  const auto json = json_of({"run", config, "--dry-run", "--json"});
+  EXPECT_GT(json[0]["estimate_seconds"], 7 * 0.3 * 5) << "seven times five cells, 0.3 s each at least";
 }
 
 TEST(topology, shows_this_machine_and_others) {
