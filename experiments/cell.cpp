@@ -70,7 +70,8 @@ std::string Cell::key() const {
       picture_key(), settings.accel, settings.leaf, scheduler, runtime_text(), threads, item, order,
       chunk_text(), pin_text(), wait_policy_text(), spin_count_text(), environment_text(),
       slowdown > 0 ? fmt::format(",slowdown={}", slowdown) : "",
-      processes > 1 ? fmt::format(",processes={}", processes) : "", twin ? ",twin=1" : "");
+      processes > 1 ? fmt::format(",processes={}", processes) : "",
+      twin > 0 ? fmt::format(",twin={}", twin) : "");
 }
 
 void resolve_lights(Cell& cell) {
@@ -81,7 +82,7 @@ Cell serial_cell(const Cell& cell) {
   Cell serial = cell;
   serial.scheduler = "serial";
   serial.threads = serial.processes = 1;
-  serial.twin = false;
+  serial.twin = 0;
   serial.slowdown = 0;
   collapse_ignored_factors(serial);
   return serial;
@@ -113,7 +114,7 @@ Cell cell_from_json(const nlohmann::json& json) {
   Cell cell;
   cell.mode = json.at("mode").get<std::string>();
   cell.processes = json.at("processes").get<int>();
-  cell.twin = json.at("twin").get<bool>();
+  cell.twin = json.at("twin").get<int>();
   for (const CellFactor& factor : cell_factors()) {
     set_factor(cell, factor, json.at(std::string(factor.name)).get<std::string>());
   }

@@ -27,7 +27,7 @@ struct Cell {
   std::string environment;              // "NAME=VALUE NAME=VALUE" for the runtime
   double slowdown = 0;                  // planted: each frame is made longer by this share of its time
   int processes = 1;                    // more than 1: so many co-running copies, for the ceiling
-  bool twin = false;                    // launched beside its like in each round, to learn what noise is
+  int twin = 0;  // above 0: launched beside its like in each round, to learn what noise is
 
   /// The canonical name: `factor=value,…` over every factor. Factors that the scheduler ignores are "-", so
   /// that cells that differ only in them are one cell.

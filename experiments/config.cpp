@@ -244,12 +244,13 @@ class Parser {
 
   void read_measure(const toml::table& measure) {
     check_keys(measure, "measure.",
-               {"launches", "max_launches", "budget", "interval", "seconds", "timeout", "seed"});
+               {"launches", "max_launches", "twins", "budget", "interval", "seconds", "timeout", "seed"});
     Measure& m = config_.measure;
     m.launches = integer_or(measure, "launches", m.launches, 1, 10000);
     // Without an interval there is nothing that could converge.
     const int usual = m.launches < 6 ? m.launches : std::min(4 * m.launches, 10000);
     m.max_launches = integer_or(measure, "max_launches", usual, m.launches, 10000);
+    m.twins = integer_or(measure, "twins", m.twins, 0, 16);
     m.interval = number_or(measure, "interval", m.interval, 1e-4, 1);
     m.seconds = number_or(measure, "seconds", m.seconds, 0, 3600);
     m.seed = static_cast<uint64_t>(integer_or(measure, "seed", static_cast<int>(m.seed), 0, 1 << 30));
@@ -258,12 +259,11 @@ class Parser {
   }
 
   double duration_or(const toml::table& table, std::string_view key, double otherwise) {
-    if (!table.contains(key)) return otherwise;
-    const double duration = parse_duration(text_or(table, key, ""));
-    if (duration == 0) {
-      fail(*table.get(key),
-           fmt::format("{} must be a duration such as \"90 s\", \"10 min\" or \"2 h\"", key));
-    }
+    const toml::node* const node = table.get(key);
+    if (!node) return otherwise;
+    const double duration = parse_duration(node->value_exact<std::string>().value_or(""));
+    if (duration == 0)
+      fail(*node, fmt::format("{} must be a duration such as \"90 s\", \"10 min\" or \"2 h\"", key));
     return duration;
   }
 

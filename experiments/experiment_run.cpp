@@ -27,7 +27,7 @@ int last_look(const Plan& plan, int round) {
 std::string short_name(const Cell& cell) {
   if (cell.processes > 1) return fmt::format("{} · {} × serial", cell.mode, cell.processes);
   return fmt::format("{} · {} {} {}{}", cell.mode, cell.scheduler, cell.threads,
-                     cell.threads == 1 ? "thread" : "threads", cell.twin ? " (twin)" : "");
+                     cell.threads == 1 ? "thread" : "threads", cell.twin > 0 ? " (twin)" : "");
 }
 
 ExperimentRun::ExperimentRun(const Experiment& experiment) : experiment_(experiment) {
@@ -39,14 +39,14 @@ ExperimentRun::ExperimentRun(const Experiment& experiment) : experiment_(experim
 
 bool ExperimentRun::needs_more(const PlannedCell& planned, int look) const {
   // Co-run cells and twins serve others; they come along with those.
-  if (planned.cell.processes > 1 || planned.cell.twin) return false;
+  if (planned.cell.processes > 1 || planned.cell.twin > 0) return false;
   const auto found = fps_.find(planned.key);
   if (found == fps_.end()) return false;  // it never was valid: more rounds would not make it so
   std::vector<double> samples;
   for (const auto& [round, fps] : found->second) {
     if (round < look) samples.push_back(fps);
   }
-  return !samples.empty() && !converged(samples, plan().interval);
+  return !samples.empty() && !converged(estimate_median(std::move(samples)), plan().interval);
 }
 
 void ExperimentRun::find_participants(int look) {

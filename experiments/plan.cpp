@@ -31,20 +31,21 @@ class Planner {
     std::ranges::find(plan_.cells, key, &PlannedCell::key)->bases = std::move(bases);
   }
 
-  /// Two threads that wait for each other feel more of the machine's noise than one: the twin is of the cell
-  /// with the most threads that has a processor for each.
-  void add_twin() {
+  /// Two threads that wait for each other feel more of the machine's noise than one: the twins are of the
+  /// cell with the most threads that has a processor for each.
+  void add_twins(int count) {
     const auto rank = [&](const Cell& cell) { return cell.threads <= machine_.pus ? cell.threads : 0; };
     const PlannedCell* most = nullptr;
     for (const PlannedCell& planned : plan_.cells) {
       if (planned.asked && (!most || rank(planned.cell) > rank(most->cell))) most = &planned;
     }
     if (!most) return;
-    Cell twin = most->cell;
-    twin.twin = true;
-    const std::string of = most->key;
-    const std::string key = add(twin, false);
-    std::ranges::find(plan_.cells, of, &PlannedCell::key)->bases.push_back(key);
+    const PlannedCell original = *most;  // adding moves it
+    for (Cell twin = original.cell; twin.twin < count;) {
+      twin.twin++;
+      const std::string key = add(twin, false);
+      std::ranges::find(plan_.cells, original.key, &PlannedCell::key)->bases.push_back(key);
+    }
   }
 
  private:
@@ -101,7 +102,7 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       planner.add_with_bases(cell);
     }
   }
-  planner.add_twin();
+  planner.add_twins(config.measure.twins);
   (void)load_scene(config.scene, most);  // a file that has fewer lights is refused before anything runs
   return plan;
 }

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 #include <sys/resource.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "experiments/picture_report.h"
 #include "experiments/worker_report.h"
 #include "tracer/shade/medium_set.h"
 
@@ -32,11 +32,6 @@ RenderCounts of_one_frame(RenderCounts counts, int frames) {
 
 double mrays_per_second(const RenderJob& job, double seconds) {
   return static_cast<double>(job.rays().total()) / seconds / 1e6;
-}
-
-/// NaN: no pixel was finite in both pictures.
-std::string number_or_unknown(double value) {
-  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
 }
 
 void print_left_out(const LeftOut& left_out, uint64_t ray_count) {
@@ -85,14 +80,7 @@ nlohmann::json describe(const Cell& cell, const RenderJob& job, const RenderOutc
                       {"threads", cell.threads},
                       {"threads_seen", job.log().workers_seen()}};
   if (job.log().detail() != LogDetail::counts) json["workers"] = workers_as_json(job.log());
-  if (const auto& d = outcome.difference) {
-    json["difference"] = {{"rmse", d->rmse},
-                          {"relative_mse", d->relative_mse},
-                          {"max_8bit", d->max_8bit},
-                          {"differing_pixels", d->differing_pixels},
-                          {"non_finite", d->non_finite}};
-    if (d->hits_known) json["difference"]["differing_hits"] = d->differing_hits;
-  }
+  if (outcome.difference) json["difference"] = to_json(*outcome.difference);
   return json;
 }
 
@@ -106,13 +94,7 @@ void print_outcome(const Cell& cell, const RenderJob& job, const RenderOutcome& 
   fmt::print("built in {:.3f} s; at most {:.0f} MB of memory\n", job.build_seconds(),
              static_cast<double>(peak_memory_bytes()) / 1e6);
   print_left_out(left_out, rays.primary + rays.reflected + rays.refracted);
-  if (const auto& d = outcome.difference) {
-    fmt::print(
-        "against the reference: RMSE {}, relative MSE {}, at most {} of 255 in a channel, {} pixels "
-        "differ in 8 bit, {} not finite{}\n",
-        number_or_unknown(d->rmse), number_or_unknown(d->relative_mse), d->max_8bit, d->differing_pixels,
-        d->non_finite, d->hits_known ? fmt::format(", {} see another primitive", d->differing_hits) : "");
-  }
+  if (outcome.difference) fmt::print("against the reference: {}\n", to_text(*outcome.difference));
   if (job.log().detail() != LogDetail::counts) fmt::print("{}", to_text(worker_table(job.log())));
   fmt::print("picture {}\n", job.film().hash());
 }

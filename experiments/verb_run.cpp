@@ -47,7 +47,7 @@ void print_plan(const Config& config, const Plan& plan) {
       config.experiment, config.title, plan.cells.size(), plan.rounds, plan.max_rounds, plan.interval * 100,
       plan.seed);
   for (const PlannedCell& planned : plan.cells)
-    fmt::print("{}{}\n", planned.key, planned.asked ? "" : planned.cell.twin ? "  (twin)" : "  (base)");
+    fmt::print("{}{}\n", planned.key, planned.asked ? "" : planned.cell.twin > 0 ? "  (twin)" : "  (base)");
 }
 
 std::string advice(const RunReport& report, const Experiment& experiment) {

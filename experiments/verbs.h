@@ -19,6 +19,7 @@ void add_list(CommandLine& line);
 void add_topology(CommandLine& line);
 void add_launch(CommandLine& line);
 void add_report(CommandLine& line);
+void add_compare(CommandLine& line);
 
 /// All of them, and the options of the program itself.
 void add_all_verbs(CommandLine& line);

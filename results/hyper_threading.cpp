@@ -55,6 +55,20 @@ std::optional<Estimate> fps_ratio(const CellRow& of, const CellRow& base) {
                 [](double own, double other) { return std::optional(own / other); });
 }
 
+/// Corrected for all that the table compares.
+void add_changes(std::vector<HyperThreadingGroup>& groups) {
+  size_t comparisons = groups.size();
+  for (const auto& group : groups) comparisons += group.packed != nullptr;
+  const double confidence = simultaneous_confidence(comparisons);
+  for (auto& group : groups) {
+    const auto change = [&](const CellRow& row) {
+      return paired_change(log_ratios(row.fps_by_round, group.one_each->fps_by_round), confidence);
+    };
+    group.yield_change = change(*group.two_each);
+    if (group.packed) group.packing_change = change(*group.packed);
+  }
+}
+
 }  // namespace
 
 std::vector<HyperThreadingGroup> hyper_threading_groups(const std::vector<CellRow>& rows) {
@@ -64,11 +78,12 @@ std::vector<HyperThreadingGroup> hyper_threading_groups(const std::vector<CellRo
     const int cores = row.cell.cores_seen;
     const CellRow* const one_each = find_within(rows, row, cores, is_one_each);
     if (!one_each) continue;
-    HyperThreadingGroup group{one_each, &row, find_within(rows, row, cores, is_two_each), {}, {}};
+    HyperThreadingGroup group{one_each, &row, find_within(rows, row, cores, is_two_each), {}, {}, {}, {}};
     group.yield = fps_ratio(row, *one_each);
     if (group.packed) group.packing_penalty = fps_ratio(*group.packed, *one_each);
     groups.push_back(group);
   }
+  add_changes(groups);
   return groups;
 }
 

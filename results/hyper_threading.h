@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "results/comparison.h"
 #include "results/scaling.h"
 #include "results/table.h"
 
@@ -18,6 +19,8 @@ struct HyperThreadingGroup {
   /// Against `one_each`, paired within rounds: what the second hardware threads give, and what is left with
   /// half the cores.
   std::optional<Estimate> yield, packing_penalty;
+  /// The same by the comparison that verdicts come from, corrected for all groups; none below 6 rounds.
+  std::optional<Change> yield_change, packing_change;
 
   [[nodiscard]] int cores() const { return one_each->cell.threads; }
 };
@@ -32,7 +35,8 @@ struct HyperThreadingGroup {
 
 /// For people: a row for each placement, with what it says in words.
 [[nodiscard]] Table hyper_threading_table(const std::vector<CellRow>& rows,
-                                          const std::vector<HyperThreadingGroup>& groups);
+                                          const std::vector<HyperThreadingGroup>& groups,
+                                          const NoiseFloor& floor = {});
 
 /// For programs: a row for each group.
 [[nodiscard]] Table hyper_threading_data(const std::vector<HyperThreadingGroup>& groups);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "results/comparison_text.h"
 #include "results/factors.h"
 #include "results/hyper_threading.h"
 #include "results/number_text.h"
@@ -10,17 +9,21 @@ namespace raysweep {
 
 namespace {
 
-/// "`subject` adds 25 % [24, 26]", from a ratio of fps.
-std::string in_words(const char* subject, const std::optional<Estimate>& ratio) {
+/// "`subject` adds 25 % [24, 26]", from a comparison of fps.
+std::string words_of(const char* subject, const std::optional<Estimate>& ratio,
+                     const std::optional<Change>& change, const NoiseFloor& floor) {
   if (!ratio) return "–";
-  if (!ratio->interval) return "no interval: fewer than 6 launches";
-  const auto [low, high] = *ratio->interval;
-  if (low <= 1 && 1 <= high) return "no difference shown";
-  const bool more = ratio->value > 1;
-  const double least = more ? low - 1 : 1 - high, most = more ? high - 1 : 1 - low;
-  const int decimals = least < 0.1 ? 1 : 0;
-  return fmt::format("{} {} {:.{}f} % [{:.{}f}, {:.{}f}]", subject, more ? "adds" : "takes",
-                     std::abs(ratio->value - 1) * 100, decimals, least * 100, decimals, most * 100, decimals);
+  switch (verdict_of(change, floor)) {
+    case Verdict::faster:
+      return fmt::format("{} adds {}", subject, amount(*change));
+    case Verdict::slower:
+      return fmt::format("{} takes {}", subject, amount(*change));
+    case Verdict::no_difference:
+      return "no difference shown";
+    case Verdict::too_few:
+      break;
+  }
+  return "no interval: fewer than 6 launches";
 }
 
 /// The factors that tell the groups apart: placement decides threads and pin.
@@ -35,24 +38,29 @@ struct Line {
   std::string ratio, words;
 };
 
-std::vector<Line> lines_of(const HyperThreadingGroup& group) {
-  std::vector<Line> lines{{"one thread a core", group.one_each, "base", ""},
-                          {"two threads a core", group.two_each, with_interval(group.yield),
-                           in_words("yield: a second hardware thread", group.yield)}};
+std::vector<Line> lines_of(const HyperThreadingGroup& group, const NoiseFloor& floor) {
+  std::vector<Line> lines{
+      {"one thread a core", group.one_each, "base", ""},
+      {"two threads a core", group.two_each, with_interval(group.yield),
+       words_of("yield: a second hardware thread", group.yield, group.yield_change, floor)}};
   if (group.packed) {
     lines.push_back({"half the cores", group.packed, with_interval(group.packing_penalty),
-                     in_words("packing penalty: filling half the cores", group.packing_penalty)});
+                     words_of("packing penalty: filling half the cores", group.packing_penalty,
+                              group.packing_change, floor)});
   }
   return lines;
 }
 
 }  // namespace
 
-Table hyper_threading_table(const std::vector<CellRow>& rows,
-                            const std::vector<HyperThreadingGroup>& groups) {
+Table hyper_threading_table(const std::vector<CellRow>& rows, const std::vector<HyperThreadingGroup>& groups,
+                            const NoiseFloor& floor) {
   const auto factors = without_placement(varying_factors(rows));
   Table table;
-  table.caption = "Hyper-threading: fps against as many threads as cores, one on each; threads are bound";
+  table.caption =
+      "Hyper-threading: fps against as many threads as cores, one on each; threads are bound\n"
+      "words hold trimmed means with intervals corrected for all comparisons here, " +
+      floor.to_text();
   for (const FactorText& f : factors) table.columns.push_back({f.name, f.number});
   table.columns.push_back({"placement", false});
   for (const char* title :
@@ -60,7 +68,7 @@ Table hyper_threading_table(const std::vector<CellRow>& rows,
     table.columns.push_back({title});
   table.columns.push_back({"in words", false});
   for (const HyperThreadingGroup& group : groups) {
-    for (const Line& line : lines_of(group)) {
+    for (const Line& line : lines_of(group, floor)) {
       const CellRow& row = *line.row;
       std::vector<std::string> cells;
       for (const FactorText& f : factors) cells.push_back(f.text(row.cell));

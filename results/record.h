@@ -90,7 +90,7 @@ struct Record {
   int threads = 0, threads_seen = 0;
   int cores_seen = 0, processors_seen = 0;  // that workers were bound to or ran on; 0: unknown
   int processes = 1;                        // more than 1: co-running copies of one launch
-  bool twin = false;    // a second launch of the same cell in each round: what differs between them is noise
+  int twin = 0;         // above 0: another launch of the same cell in each round; what differs is noise
   double slowdown = 0;  // planted: each frame was made longer by this share of its time
 
   std::vector<std::vector<double>> frame_seconds;  // by process

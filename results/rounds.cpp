@@ -16,8 +16,7 @@ const std::set<std::string> only_of_threads{"runtime", "pin", "wait_policy", "sp
 /// What sets a cell apart from those that it is compared with.
 struct Variant {
   std::string scheduler, chunk;
-  int threads, processes;
-  bool twin;
+  int threads, processes, twin;
   double slowdown;
 };
 
@@ -27,7 +26,7 @@ Variant own_variant(const Record& r) {
 
 /// All other factors are those of `r`.
 std::string key_of(const Record& r, const Variant& v) {
-  std::string key = fmt::format("{}{}", v.processes, v.twin ? " twin" : "");
+  std::string key = fmt::format("{}{}", v.processes, v.twin > 0 ? fmt::format(" twin {}", v.twin) : "");
   const bool serial = v.scheduler == "serial";
   for (const FactorText& factor : factor_texts()) {
     key += "|" + (factor.name == "scheduler"                             ? v.scheduler
@@ -45,16 +44,16 @@ std::string key_of(const Record& r, const Variant& v) {
 
 std::string own_key(const Record& r) { return key_of(r, own_variant(r)); }
 
-std::string twin_key(const Record& r) {
-  Variant twin = own_variant(r);
-  twin.twin = true;
-  return key_of(r, twin);
+std::string twin_key(const Record& r, int twin) {
+  Variant variant = own_variant(r);
+  variant.twin = twin;
+  return key_of(r, variant);
 }
 
-std::string one_thread_key(const Record& r) { return key_of(r, {r.scheduler, r.chunk, 1, 1, false, 0}); }
+std::string one_thread_key(const Record& r) { return key_of(r, {r.scheduler, r.chunk, 1, 1, 0, 0}); }
 
 std::string serial_key(const Record& r, int processes) {
-  return key_of(r, {"serial", "-", 1, processes, false, 0});
+  return key_of(r, {"serial", "-", 1, processes, 0, 0});
 }
 
 Launches::Launches(const std::vector<Record>& records) {

@@ -17,8 +17,8 @@ using Rounds = std::map<int, const Record*>;
 /// Names the cell of `r` itself, twins apart.
 [[nodiscard]] std::string own_key(const Record& r);
 
-/// The same cell launched a second time in each round.
-[[nodiscard]] std::string twin_key(const Record& r);
+/// The same cell launched once more in each round: its twin of this number, from 1.
+[[nodiscard]] std::string twin_key(const Record& r, int twin = 1);
 
 /// One thread of the same scheduler.
 [[nodiscard]] std::string one_thread_key(const Record& r);

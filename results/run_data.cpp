@@ -18,8 +18,10 @@ RunData read_run(const std::filesystem::path& folder) {
     std::vector<Record> planned;
     for (const auto& cell : plan.at("cells")) planned.push_back(record_from_json(cell));
     RunData run;
-    run.context = {plan.at("experiment").get<std::string>(), plan.at("title").get<std::string>()};
-    run.rows = summarise(read_records(folder / "records.jsonl"), planned, plan.at("interval").get<double>());
+    run.records = read_records(folder / "records.jsonl");
+    run.context = {plan.at("experiment").get<std::string>(), plan.at("title").get<std::string>(),
+                   noise_floor(run.records)};
+    run.rows = summarise(run.records, planned, plan.at("interval").get<double>());
     return run;
   } catch (const nlohmann::json::exception& error) {
     throw RecordError(fmt::format("{}: not a plan: {}", plan_file.string(), error.what()));

@@ -10,8 +10,9 @@
 namespace raysweep {
 
 struct RunData {
-  TableContext context;
+  TableContext context;  // with the noise floor of its twins
   std::vector<CellRow> rows;
+  std::vector<Record> records;
 };
 
 /// Reads plan.json and records.jsonl of `folder`. Throws RecordError where they are missing or not readable.

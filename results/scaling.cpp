@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "results/noise_floor.h"
 #include "results/rounds.h"
+#include "results/stability.h"
+#include "results/suspicions.h"
 
 namespace raysweep {
 
@@ -21,7 +24,28 @@ int fillable_cores(const Record& r) {
   return r.is_bound() && r.cores_seen > 0 ? r.cores_seen : std::min(r.threads, r.machine.cores);
 }
 
-void add_notes(CellRow& row, double interval_target) {
+void add_frames(CellRow& row, const Rounds& rounds) {
+  for (const auto& [round, launch] : rounds) {
+    auto& frames = row.frame_seconds.emplace_back();
+    for (const auto& of_process : launch->frame_seconds)
+      frames.insert(frames.end(), of_process.begin(), of_process.end());
+    if (!launch->warmup_seconds.empty()) row.cold_seconds.push_back(launch->warmup_seconds.front());
+  }
+}
+
+/// What a reader of its numbers must know about the launches themselves.
+void add_warnings(CellRow& row, const NoiseFloor& floor) {
+  const auto add = [&](const std::vector<std::string>& notes) {
+    row.notes.insert(row.notes.end(), notes.begin(), notes.end());
+  };
+  add(row.disturbance.reasons);
+  add(suspicions(row, floor));
+  std::vector<double> fps;
+  for (const auto& [round, value] : row.fps_by_round) fps.push_back(value);
+  add(stability_warnings(fps));
+}
+
+void add_notes(CellRow& row, double interval_target, const NoiseFloor& floor) {
   const Record& r = row.cell;
   if (row.launches == 0) row.notes.push_back("not measured: the run ended before its first launch");
   if (row.oversubscribed) row.notes.push_back("oversubscribed");
@@ -33,6 +57,7 @@ void add_notes(CellRow& row, double interval_target) {
     row.notes.push_back(fmt::format("{} of {} threads ran", r.threads_seen, r.threads));
   }
   if (!row.fps) return;
+  add_warnings(row, floor);
   if (const auto width = row.fps->relative_half_width(); !width) {
     row.notes.push_back("no interval: fewer than 6 launches");
   } else if (*width > interval_target) {
@@ -61,7 +86,7 @@ CellRow describe(const Record& planned, const std::vector<const Record*>& launch
   return row;
 }
 
-CellRow make_row(const Record& planned, const Launches& all) {
+CellRow make_row(const Record& planned, const Launches& all, std::optional<double> usual_spin) {
   CellRow row = describe(planned, all.of_cell(planned.cell));
   const Record& r = row.cell;
   const Rounds& rounds = all.valid(own_key(r));
@@ -70,6 +95,8 @@ CellRow make_row(const Record& planned, const Launches& all) {
   std::vector<double> fps;
   for (const auto& [round, launch] : rounds) fps.push_back(row.fps_by_round[round] = launch->fps());
   row.fps = estimate_median(std::move(fps));
+  add_frames(row, rounds);
+  row.disturbance = disturbance_of(rounds, usual_spin);
   const Rounds& serial = all.valid(serial_key(r));
   row.schedule = schedule_of(rounds, serial);
   row.speedup = fps_ratio(rounds, serial);
@@ -93,11 +120,13 @@ CellRow make_row(const Record& planned, const Launches& all) {
 std::vector<CellRow> summarise(const std::vector<Record>& records, const std::vector<Record>& planned,
                                double interval_target) {
   const Launches all(records);
+  const auto usual_spin = usual_spin_seconds(records);
+  const NoiseFloor floor = noise_floor(records);
   std::vector<CellRow> rows;
   for (const Record& cell : planned) {
-    if (cell.processes > 1 || cell.twin) continue;
-    rows.push_back(make_row(cell, all));
-    add_notes(rows.back(), interval_target);
+    if (cell.processes > 1 || cell.twin > 0) continue;
+    rows.push_back(make_row(cell, all, usual_spin));
+    add_notes(rows.back(), interval_target, floor);
   }
   return rows;
 }

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "results/record.h"
+#include "results/resampling.h"
 #include "results/schedule.h"
+#include "results/spoilers.h"
 #include "results/statistics.h"
 
 namespace raysweep {
@@ -26,6 +28,9 @@ struct CellRow {
   std::optional<Estimate> ceiling;  // what as many independent serial processes reach together, against one
   std::optional<Estimate> of_ceiling;  // fps as a share of what those processes reach
   Schedule schedule;                   // where the time went
+  FramesByLaunch frame_seconds;        // of valid launches, by round; those of co-running processes together
+  std::vector<double> cold_seconds;    // their first frames, before any warm-up
+  Disturbance disturbance;             // what else the machine did
   bool oversubscribed = false;
   std::vector<std::string> notes;
 };

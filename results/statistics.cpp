@@ -1,7 +1,9 @@
 #include "results/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <cstddef>
 
 namespace raysweep {
 
@@ -16,16 +18,21 @@ double median(std::vector<double> samples) {
   return samples.size() % 2 == 1 ? samples[half] : (samples[half - 1] + samples[half]) / 2;
 }
 
+double quantile(std::vector<double> samples, double share) {
+  const double position = share * (static_cast<double>(samples.size()) - 1);
+  const auto below = static_cast<std::ptrdiff_t>(position);
+  const auto at = samples.begin() + below;
+  std::nth_element(samples.begin(), at, samples.end());
+  const double part = position - static_cast<double>(below);
+  if (part == 0) return *at;
+  const double next = *std::min_element(at + 1, samples.end());
+  return *at + part * (next - *at);
+}
+
 std::optional<int> median_interval_rank(int n) {
-  double below = 0;  // P(B ≤ k)
+  const boost::math::binomial_distribution<> below_median(n, 0.5);
   std::optional<int> rank;
-  for (int k = 0; 2 * k < n; ++k) {
-    // P(B = k) in logarithms: 2⁻ⁿ itself underflows from n = 1075 on.
-    below +=
-        std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) - n * std::log(2.0));
-    if (1 - 2 * below < 0.95) break;
-    rank = k;
-  }
+  for (int k = 0; 2 * k < n && 1 - 2 * cdf(below_median, k) >= 0.95; ++k) rank = k;
   return rank;
 }
 

@@ -22,6 +22,10 @@ struct Estimate {
 /// The middle of `samples` (mean of the middle two for an even count). Not for an empty list.
 [[nodiscard]] double median(std::vector<double> samples);
 
+/// What the share `share`, 0 to 1, of the samples is below, between neighbours by a straight line: definition
+/// 7 of Hyndman & Fan 1996, the default of R and NumPy. Not for an empty list.
+[[nodiscard]] double quantile(std::vector<double> samples, double share);
+
 /// How many order statistics to leave out on each side: the largest k for which [x(k+1), x(n−k)] covers the
 /// median with at least 95 %, whatever the distribution: coverage is 1 − 2·P(B ≤ k), B binomial(n, ½). None
 /// for n < 6, where even the whole range covers it less often (David & Nagaraja 2003, "Order

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
-#include "results/statistics.h"
 namespace raysweep {
+
 int next_look(int launches_so_far, int first, int cap) {
-  if (launches_so_far < first) return first;
-  return std::min(2 * launches_so_far, cap);
+  int look = std::max(first, 1);
+  while (look <= launches_so_far && look < cap) look *= 2;
+  return std::min(look, cap);
 }
-bool converged(const std::vector<double>& samples, double target) {
-  const auto width = estimate_median(samples).relative_half_width();
-  return width && *width <= target;
+
+bool converged(const Estimate& estimate, double relative_half_width) {
+  const auto width = estimate.relative_half_width();
+  return width && *width <= relative_half_width;
 }
+
 }  // namespace raysweep

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "results/noise_floor.h"
 #include "results/scaling.h"
 #include "results/table.h"
 
@@ -14,16 +15,22 @@ namespace raysweep {
 /// What a reader needs to know beside the numbers.
 struct TableContext {
   std::string experiment, title;
+  NoiseFloor floor{};
 };
 
-/// For people: one row a cell; factors that never change stand in the caption, not in columns.
+/// For people: one row a cell; factors that never change stand in the caption, not in columns, and so does
+/// the noise floor. The column `against the best` is left out where no two cells render the same picture with
+/// as many threads.
 [[nodiscard]] Table scaling_table(const std::vector<CellRow>& rows, const TableContext& context);
 
 /// For programs: one row a cell, every factor and every number unrounded, intervals in columns of their own.
-[[nodiscard]] Table scaling_data(const std::vector<CellRow>& rows);
+[[nodiscard]] Table scaling_data(const std::vector<CellRow>& rows, const NoiseFloor& floor = {});
 
 /// The same as one JSON object a row, keyed by column.
-[[nodiscard]] nlohmann::json rows_as_json(const std::vector<CellRow>& rows);
+[[nodiscard]] nlohmann::json rows_as_json(const std::vector<CellRow>& rows, const NoiseFloor& floor = {});
+
+/// Any table as one JSON object a row.
+[[nodiscard]] nlohmann::json rows_as_json(const Table& table);
 
 /// Where the time of each cell went: its rows are those of the scaling table. Columns for which no row has a
 /// value are left out; none if no row has any.
@@ -48,8 +55,8 @@ struct ModeTable {
 /// Everything a terminal should show.
 [[nodiscard]] std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context);
 
-/// Writes `scaling`, `schedule`, `hyper-threading` and the mode tables, as .md and .csv, and `chunks.csv`,
-/// into `folder`, which is made; of what a run has nothing to say about there is no file.
+/// Writes `scaling`, `frames`, `laws`, `schedule`, `hyper-threading` and the mode tables, as .md and .csv,
+/// and `chunks.csv`, into `folder`, which is made; of what a run has nothing to say about there is no file.
 void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
                   const std::filesystem::path& folder);
 

@@ -60,7 +60,10 @@ PictureDifference compare(const Film& picture, std::span<const uint32_t> ids, co
   difference.relative_mse = relative_squares / count;
   difference.hits_known = !ids.empty() && !reference_ids.empty();
   if (difference.hits_known) {
-    for (size_t i = 0; i < ids.size(); ++i) difference.differing_hits += ids[i] != reference_ids[i];
+    for (size_t i = 0; i < ids.size(); ++i) {
+      difference.differing_hits += ids[i] != reference_ids[i];
+      difference.holes += ids[i] == no_hit_id && reference_ids[i] != no_hit_id;
+    }
   }
   return difference;
 }

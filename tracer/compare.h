@@ -22,6 +22,8 @@ struct PictureDifference {
   size_t non_finite = 0;
   /// Pixels whose centre sees another primitive, if both pictures know what theirs see.
   size_t differing_hits = 0;
+  /// Those among them that see nothing where the reference sees something.
+  size_t holes = 0;
   bool hits_known = false;
 };
 

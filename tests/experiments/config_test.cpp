@@ -54,6 +54,9 @@ seed = 7
 
 TEST(config, defaults_are_good) {
   const Config c = parse(head);
+  EXPECT_EQ(c.measure.max_launches, 28);
+  EXPECT_EQ(parse(head + "[measure]\nlaunches = 5\n").measure.max_launches, 5)
+      << "there is no interval to converge";
   EXPECT_EQ(c.measure.launches, 7);
   EXPECT_EQ(c.measure.interval, 0.02);
   EXPECT_EQ(c.scene, "chair-ball");
@@ -65,6 +68,10 @@ TEST(config, each_bad_value_is_told_by_file_line_and_possible_values) {
             "sweep.toml:2: unknown key \"speed\"; possible: experiment, title, kind, scene, sweep, measure");
   EXPECT_EQ(errors(head + "[scene]\nnmae = \"x\"\n"),
             "sweep.toml:3: unknown key \"scene.nmae\"; possible: name, file, modes");
+  EXPECT_EQ(errors(head + "[measure]\nlaunches = 9\nmax_launches = 8\n"),
+            "sweep.toml:4: max_launches must be a whole number from 9 to 10000");
+  EXPECT_EQ(errors(head + "[measure]\ntimeout = 3\n"),
+            "sweep.toml:3: timeout must be a duration such as \"90 s\", \"10 min\" or \"2 h\"");
   EXPECT_EQ(errors(head + "[measure]\nlaunches = 0\n"),
             "sweep.toml:3: launches must be a whole number from 1 to 10000");
   EXPECT_EQ(errors(head + "[measure]\nbudget = \"soon\"\n"),

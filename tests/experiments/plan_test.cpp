@@ -1,5 +1,6 @@
 #include "experiments/plan.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,19 +26,28 @@ TEST(plan, adds_the_bases_that_its_tables_compare_with) {
   EXPECT_TRUE(has(plan, "thread_static", 1));
   EXPECT_TRUE(has(plan, "serial", 1, 2)) << "the ceiling of two processors serves two and four threads";
   for (const PlannedCell& p : plan.cells)
-    EXPECT_EQ(p.asked, p.cell.scheduler == "thread_static" && p.cell.threads > 1 && !p.cell.twin) << p.key;
+    EXPECT_EQ(p.asked, p.cell.scheduler == "thread_static" && p.cell.threads > 1 && p.cell.twin == 0)
+        << p.key;
 }
 
 TEST(plan, the_twin_is_of_the_cell_that_fills_the_machine) {
   const Plan plan =
       plan_of("[sweep]\nscheduler = [\"thread_static\", \"thread_cyclic\"]\nthreads = [4, 1, 2]\n");
-  const auto twin = std::ranges::find_if(plan.cells, [](const PlannedCell& p) { return p.cell.twin; });
+  const auto twin = std::ranges::find_if(plan.cells, [](const PlannedCell& p) { return p.cell.twin > 0; });
   ASSERT_NE(twin, plan.cells.end());
   EXPECT_EQ(twin->cell.scheduler, "thread_static");
   EXPECT_EQ(twin->cell.threads, 2);
   EXPECT_FALSE(twin->asked);
   for (const PlannedCell& p : plan.cells)
     EXPECT_EQ(std::ranges::count(p.bases, twin->key), p.key + ",twin=1" == twin->key);
+}
+
+TEST(plan, there_may_be_more_twins_or_none) {
+  const auto twins = [](int asked) {
+    const Plan plan = plan_of(fmt::format("[sweep]\nthreads = 2\n[measure]\ntwins = {}\n", asked));
+    return std::ranges::count_if(plan.cells, [](const PlannedCell& p) { return p.cell.twin > 0; });
+  };
+  for (const int asked : {0, 1, 3}) EXPECT_EQ(twins(asked), asked);
 }
 
 TEST(plan, cells_keep_their_turns_whichever_others_take_part) {

@@ -242,13 +242,14 @@ TEST_F(RunnerTest, what_has_not_converged_is_launched_again_with_what_it_is_comp
 TEST_F(RunnerTest, what_has_converged_is_left_alone) {
   config = parse_config(
       "experiment = \"x\"\n[scene]\nmodes = [\"low\"]\n[sweep]\nscheduler = "
-      "[\"thread_static\", \"thread_cyclic\"]\nthreads = [1, 2]\n[measure]\nmax_launches = 20\nbudget = \"2 h\"\n",
+      "[\"thread_static\", \"thread_cyclic\"]\nthreads = [1, 2]\n[measure]\nmax_launches = 20\nbudget = \"2 "
+      "h\"\n",
       "x.toml", {}, {2, 2});
   launcher.noisy_scheduler = "thread_cyclic";
   (void)run();
   std::map<std::string, int> launches;
   for (const Record& r : records()) {
-    if (!r.twin && r.processes == 1) launches[r.scheduler + std::to_string(r.threads)]++;
+    if (r.twin == 0 && r.processes == 1) launches[r.scheduler + std::to_string(r.threads)]++;
   }
   const std::map<std::string, int> expected{{"serial1", 20},
                                             {"thread_static1", 7},

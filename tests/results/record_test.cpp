@@ -80,7 +80,7 @@ TEST_F(RecordFile, a_record_of_schema_3_is_read_and_knows_nothing_of_the_machine
   const auto records = read_records(file);
   ASSERT_EQ(records.size(), 1u);
   EXPECT_FALSE(records[0].state.steal_share);
-  EXPECT_FALSE(records[0].twin);
+  EXPECT_EQ(records[0].twin, 0);
 }
 
 TEST_F(RecordFile, another_schema_is_refused_by_a_sentence) {

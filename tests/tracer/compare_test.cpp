@@ -86,6 +86,8 @@ TEST(compare, hits_are_compared_where_both_are_known) {
   const Film film(3, 1);
   const std::vector<uint32_t> a{1, 2, 3}, b{1, 5, 0xffffffff};
   EXPECT_EQ(compare(film, a, film, b).differing_hits, 2u);
+  EXPECT_EQ(compare(film, a, film, b).holes, 0u) << "it sees something where the reference sees nothing";
+  EXPECT_EQ(compare(film, b, film, a).holes, 1u);
   EXPECT_FALSE(compare(film, a, film, {}).hits_known);
   EXPECT_FALSE(compare(film, {}, film, b).hits_known);
   EXPECT_EQ(compare(film, {}, film, b).differing_hits, 0u);

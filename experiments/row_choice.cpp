@@ -1,0 +1,70 @@
+#include "experiments/row_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "experiments/errors.h"
+#include "results/factors.h"
+
+namespace raysweep {
+
+namespace {
+
+const FactorText& factor_of(const std::string& name, const std::string& text) {
+  std::string names;
+  for (const FactorText& factor : factor_texts()) {
+    if (factor.name == name) return factor;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", factor.name);
+  }
+  throw RequestError(fmt::format("--cell {}: unknown factor \"{}\"; possible: {}", text, name, names));
+}
+
+std::string values_of(const std::vector<const CellRow*>& rows, const FactorText& factor) {
+  std::set<std::string> values;
+  for (const CellRow* row : rows) values.insert(factor.text(row->cell));
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+/// What tells the rows apart: "threads (1, 2), chunk (1, 4)".
+std::string differences(const std::vector<const CellRow*>& rows) {
+  std::string text;
+  for (const FactorText& factor : factor_texts()) {
+    const std::string values = values_of(rows, factor);
+    if (values == factor.text(rows.front()->cell)) continue;
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", factor.name, values);
+  }
+  return text;
+}
+
+}  // namespace
+
+const CellRow& choose_row(const std::vector<CellRow>& rows, const std::string& text) {
+  std::vector<const CellRow*> left;
+  for (const CellRow& row : rows) left.push_back(&row);
+  std::istringstream conditions(text);
+  for (std::string condition; std::getline(conditions, condition, ',');) {
+    const size_t equals = condition.find('=');
+    if (equals == std::string::npos) {
+      throw RequestError(
+          fmt::format("--cell {}: \"{}\" is no condition; write FACTOR=VALUE,FACTOR=VALUE", text, condition));
+    }
+    const FactorText& factor = factor_of(condition.substr(0, equals), text);
+    const std::string value = condition.substr(equals + 1), there = values_of(left, factor);
+    std::erase_if(left, [&](const CellRow* row) { return factor.text(row->cell) != value; });
+    if (left.empty()) {
+      throw RequestError(
+          fmt::format("--cell {}: no cell has {}; there is {} = {}", text, condition, factor.name, there));
+    }
+  }
+  if (left.empty()) throw RequestError(fmt::format("--cell {}: the run has no cells", text));
+  if (left.size() > 1) {
+    throw RequestError(
+        fmt::format("--cell {}: {} cells are meant; name one by {}", text, left.size(), differences(left)));
+  }
+  return *left.front();
+}
+
+}  // namespace raysweep
