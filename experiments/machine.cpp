@@ -5,35 +5,18 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "experiments/build_facts.h"
+#include "experiments/cycle_timer.h"
 #include "experiments/runtime_variables.h"
+#include "schedulers/binding.h"
 
 namespace raysweep {
 
 namespace {
-
-/// `cpu.max` of this process's control group (version 2), the smallest on the way up.
-std::optional<double> cpu_quota() {
-  std::ifstream groups("/proc/self/cgroup");
-  std::string line;
-  std::optional<double> least;
-  while (std::getline(groups, line)) {
-    if (!line.starts_with("0::")) continue;
-    for (std::string path = line.substr(3);; path = path.substr(0, path.rfind('/'))) {
-      std::ifstream file("/sys/fs/cgroup" + path + "/cpu.max");
-      double quota = 0, period = 0;
-      if (file >> quota >> period && period > 0)
-        least = std::min(least.value_or(quota / period), quota / period);
-      if (path.empty() || path == "/") break;
-    }
-  }
-  return least;
-}
 
 double load_average() {
   double load = 0;
@@ -51,12 +34,10 @@ Machine detect_machine() {
   utsname system{};
   uname(&system);
   machine.kernel = fmt::format("{} {}", system.sysname, system.release);
-#ifdef __clang__
-  machine.compiler = "clang " __clang_version__;
-#else
-  machine.compiler = "gcc " __VERSION__;
-#endif
-  machine.quota = cpu_quota();
+  machine.compiler = build_facts().compiler;
+  machine.facts = read_machine_facts({allowed_processors(), machine.topology.has_smt()});
+  const std::optional<double> quota = machine.facts.quota.value;
+  if (quota && std::isfinite(*quota)) machine.quota = quota;
   return machine;
 }
 
@@ -74,6 +55,9 @@ nlohmann::json to_json(const Machine& machine) {
                       {"topology", t.outline}};
   json["quota"] = machine.quota ? nlohmann::json(*machine.quota) : nlohmann::json();
   json["smt"] = t.has_smt();
+  json["facts"] = to_json(machine.facts);
+  json["timer"] = to_json(timer_report());
+  json["build"] = to_json(build_facts());
   for (char** variable = environ; *variable; ++variable) {
     const std::string_view entry = *variable;
     if (!is_runtime_variable(entry)) continue;

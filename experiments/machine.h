@@ -6,6 +6,7 @@
 #include <string>
 
 #include "experiments/config.h"
+#include "experiments/machine_facts.h"
 #include "results/record.h"
 #include "schedulers/placement.h"
 #include "schedulers/topology.h"
@@ -16,6 +17,7 @@ struct Machine {
   std::string host, kernel, compiler;
   Topology topology;            // what this process may use of it
   std::optional<double> quota;  // processors that the control group allows; none: unlimited or unknown
+  MachineFacts facts;
 
   [[nodiscard]] MachineSize size() const {
     return {topology.cores(), topology.processors(), topology.processor_numbers(),
@@ -30,6 +32,7 @@ struct Machine {
 /// The machine for a record, with its load average now.
 [[nodiscard]] MachineRecord machine_record(const Machine& machine);
 
+/// All of it, with the timer (calibrated at the first call, which takes 50 ms) and the build.
 [[nodiscard]] nlohmann::json to_json(const Machine& machine);
 
 }  // namespace raysweep

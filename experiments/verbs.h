@@ -17,6 +17,7 @@ void add_run(CommandLine& line);
 void add_render(CommandLine& line);
 void add_list(CommandLine& line);
 void add_topology(CommandLine& line);
+void add_doctor(CommandLine& line);
 void add_launch(CommandLine& line);
 void add_report(CommandLine& line);
 void add_compare(CommandLine& line);
