@@ -1,5 +1,7 @@
 #include "experiments/kernel_files.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -52,6 +54,10 @@ std::optional<double> keyed_number(const std::filesystem::path& file, std::strin
     if (rest.starts_with(' ')) return number_in(rest);
   }
   return std::nullopt;
+}
+
+std::string unreadable(const std::filesystem::path& file) {
+  return fmt::format("/{} cannot be read", file.string());
 }
 
 }  // namespace raysweep

@@ -21,4 +21,7 @@ namespace raysweep {
 /// The number after `key` in a file of lines "key 123" or "key: 123 kB" (cpu.stat, /proc/meminfo).
 [[nodiscard]] std::optional<double> keyed_number(const std::filesystem::path& file, std::string_view key);
 
+/// "/proc/meminfo cannot be read", of a file below the root.
+[[nodiscard]] std::string unreadable(const std::filesystem::path& file);
+
 }  // namespace raysweep

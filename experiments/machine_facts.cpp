@@ -1,10 +1,10 @@
 #include "experiments/machine_facts.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 
 #include "experiments/control_groups.h"
 #include "experiments/kernel_files.h"
@@ -19,7 +19,7 @@ namespace {
 
 template <class T>
 Fact<T> or_missing(std::optional<T> value, const fs::path& file) {
-  return Fact<T>::of(std::move(value), file.string() + " cannot be read");
+  return Fact<T>::of(std::move(value), unreadable(file));
 }
 
 Fact<std::string> line_of(const fs::path& root, const char* file) {
@@ -33,7 +33,7 @@ Fact<std::string> huge_pages(const fs::path& root) {
   if (!line.value) return line;
   const size_t begin = line.value->find('['), end = line.value->find(']');
   if (begin == std::string::npos || end == std::string::npos || end < begin)
-    return Fact<std::string>::unknown(std::string(file) + " names no choice");
+    return Fact<std::string>::unknown(fmt::format("/{} names no choice", file));
   return line.value->substr(begin + 1, end - begin - 1);
 }
 
@@ -43,7 +43,7 @@ Fact<bool> layout_random(const fs::path& root) {
   constexpr unsigned long no_randomize = 0x0040000;
   const char* const file = "proc/sys/kernel/randomize_va_space";
   const auto setting = first_number(root / file);
-  if (!setting) return Fact<bool>::unknown(std::string(file) + " cannot be read");
+  if (!setting) return Fact<bool>::unknown(unreadable(file));
   const auto personality = first_line(root / "proc/self/personality");
   const bool refused = personality && (std::strtoul(personality->c_str(), nullptr, 16) & no_randomize) != 0;
   return *setting > 0 && !refused;
@@ -59,8 +59,8 @@ void read_memory(const fs::path& root, MachineFacts& facts) {
   facts.memory_bytes = or_missing(bytes("MemTotal"), file);
   facts.free_memory_bytes = or_missing(bytes("MemAvailable"), file);
   const auto total = bytes("SwapTotal"), free = bytes("SwapFree");
-  facts.swap_used_bytes = total && free ? Fact<double>(*total - *free)
-                                        : Fact<double>::unknown(std::string(file) + " cannot be read");
+  facts.swap_used_bytes =
+      total && free ? Fact<double>(*total - *free) : Fact<double>::unknown(unreadable(file));
 }
 
 void read_groups(const fs::path& root, MachineFacts& facts) {

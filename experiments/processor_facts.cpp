@@ -1,5 +1,7 @@
 #include "experiments/processor_facts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -16,8 +18,11 @@ namespace {
 fs::path folder_of_all(const fs::path& root) { return root / "sys/devices/system/cpu"; }
 
 fs::path folder_of(const fs::path& root, int processor) {
-  return folder_of_all(root) / ("cpu" + std::to_string(processor));
+  return folder_of_all(root) / fmt::format("cpu{}", processor);
 }
+
+/// Of a file that each processor has.
+std::string all_unreadable(const std::string& file) { return unreadable(folder_of_all("") / "cpu*" / file); }
 
 /// "on", "off" (it could be), "not there". `active` says whether any core runs two threads, `control` why not
 /// (kernel document ABI/testing/sysfs-devices-system-cpu).
@@ -26,7 +31,8 @@ Fact<std::string> smt(const OwnProcessors& own, const fs::path& root) {
   if (own.siblings_allowed) return Text("on");
   const auto active = first_number(folder_of_all(root) / "smt/active");
   if (!active)
-    return Text::unknown("smt/active cannot be read, and the allowed processors are all of different cores");
+    return Text::unknown(unreadable(folder_of_all("") / "smt/active") +
+                         ", and hwloc sees no two threads of one core here");
   if (*active > 0) return Text("on");
   const auto control = first_line(folder_of_all(root) / "smt/control");
   return Text(control && (*control == "off" || *control == "forceoff") ? "off" : "not there");
@@ -35,7 +41,7 @@ Fact<std::string> smt(const OwnProcessors& own, const fs::path& root) {
 Fact<bool> turbo(const fs::path& root) {
   if (const auto off = first_number(folder_of_all(root) / "intel_pstate/no_turbo")) return *off == 0;
   if (const auto on = first_number(folder_of_all(root) / "cpufreq/boost")) return *on != 0;
-  return Fact<bool>::unknown("neither intel_pstate/no_turbo nor cpufreq/boost can be read");
+  return Fact<bool>::unknown(unreadable(folder_of_all("") / "intel_pstate/no_turbo") + ", nor cpufreq/boost");
 }
 
 /// What the file of that name under cpufreq says for the allowed processors, each answer once.
@@ -43,7 +49,7 @@ Fact<std::string> cpufreq(const OwnProcessors& own, const fs::path& root, const 
   std::set<std::string> answers;
   for (const int processor : own.allowed)
     if (const auto line = first_line(folder_of(root, processor) / "cpufreq" / name)) answers.insert(*line);
-  if (answers.empty()) return Fact<std::string>::unknown(std::string("no cpufreq/") + name + " can be read");
+  if (answers.empty()) return Fact<std::string>::unknown(all_unreadable(fmt::format("cpufreq/{}", name)));
   std::string text;
   for (const std::string& answer : answers) text += (text.empty() ? "" : ", ") + answer;
   return text;
@@ -58,27 +64,28 @@ Fact<double> frequency(const OwnProcessors& own, const fs::path& root, const cha
     const double before = kilohertz.value_or(*one);
     kilohertz = least ? std::min(before, *one) : std::max(before, *one);
   }
-  if (!kilohertz) return Fact<double>::unknown(std::string("no cpufreq/") + name + " can be read");
+  if (!kilohertz) return Fact<double>::unknown(all_unreadable(fmt::format("cpufreq/{}", name)));
   return *kilohertz * 1000;
 }
 
 /// A list of processors that may be empty.
 Fact<std::string> processors_in(const fs::path& root, const char* name) {
   const auto line = first_line(folder_of_all(root) / name);
-  if (!line) return Fact<std::string>::unknown(std::string(name) + " cannot be read");
+  if (!line) return Fact<std::string>::unknown(unreadable(folder_of_all("") / name));
   const bool none = line->empty() || *line == "(null)";  // what the kernel prints where it was never set
   return none ? std::string("none") : *line;
 }
 
 /// How many a list such as "0-3,8" names.
-std::optional<int> count_in(const std::string& list) {
-  std::istringstream in(list);
+Fact<int> count_of(const Fact<std::string>& list) {
+  if (!list.value) return Fact<int>::unknown(list.reason);
+  std::istringstream in(*list.value);
   int count = 0;
   for (std::string range; std::getline(in, range, ',');) {
     std::istringstream bounds(range);
     int first = 0, last = 0;
     char dash = 0;
-    if (!(bounds >> first)) return std::nullopt;
+    if (!(bounds >> first)) return Fact<int>::unknown("no list of processors: " + *list.value);
     count += bounds >> dash >> last ? last - first + 1 : 1;
   }
   return count;
@@ -93,7 +100,7 @@ Fact<bool> invariant_tsc(const fs::path& root) {
     constant = constant || word == "constant_tsc";
     nonstop = nonstop || word == "nonstop_tsc";
   }
-  if (!flags) return Fact<bool>::unknown("proc/cpuinfo tells no flags");
+  if (!flags) return Fact<bool>::unknown("/proc/cpuinfo tells no flags");
   return constant && nonstop;
 }
 
@@ -125,12 +132,11 @@ void read_processors(const OwnProcessors& own, const fs::path& root, MachineFact
     facts.allowed_list = processor_list(own.allowed);
   }
   facts.online_list = processors_in(root, "online");
-  facts.online_processors = Fact<int>::of(
-      facts.online_list.value ? count_in(*facts.online_list.value) : std::nullopt, "online cannot be read");
+  facts.online_processors = count_of(facts.online_list);
   facts.isolated = processors_in(root, "isolated");
   facts.nohz_full = processors_in(root, "nohz_full");
   facts.thermal_throttles = Fact<double>::of(thermal_throttles(own.allowed, root),
-                                             "no thermal_throttle/core_throttle_count can be read");
+                                             all_unreadable("thermal_throttle/core_throttle_count"));
   facts.invariant_tsc = invariant_tsc(root);
 }
 

@@ -43,7 +43,7 @@ Fact<std::string> virtual_machine(const fs::path& root) {
   if (product) return *product;
   if (const auto type = first_line(root / "sys/hypervisor/type")) return *type;
   if (first_line(root / "sys/class/dmi/id/product_name")) return std::string("no");
-  return Fact<std::string>::unknown("neither proc/cpuinfo nor the firmware's tables tell");
+  return Fact<std::string>::unknown("neither /proc/cpuinfo nor the firmware's tables tell");
 }
 
 /// Hints in the order of how sure they are.
@@ -61,7 +61,7 @@ Fact<std::string> container(const fs::path& root) {
   for (const char* name : {"docker", "kubepods", "containerd", "libpod", "lxc"})
     if (groups && groups->find(name) != std::string::npos) return std::string(name);
   if (environment) return std::string("no");
-  return Fact<std::string>::unknown("nothing hints at one, but proc/1/environ cannot be read");
+  return Fact<std::string>::unknown("nothing hints at one, but /proc/1/environ cannot be read");
 }
 
 }  // namespace
