@@ -17,14 +17,14 @@ struct Fact {
   Fact() = default;
   Fact(T known) : value(std::move(known)), reason() {}  // NOLINT: a value is a fact
 
-  [[nodiscard]] static Fact unknown(std::string why) {
+  [[nodiscard]] static Fact unknown(const std::string& why) {
     Fact fact;
-    fact.reason = std::move(why);
+    fact.reason = why;
     return fact;
   }
   /// Known if there is a value, else unknown for this reason.
-  [[nodiscard]] static Fact of(std::optional<T> maybe, std::string why_not) {
-    return maybe ? Fact(*std::move(maybe)) : unknown(std::move(why_not));
+  [[nodiscard]] static Fact of(std::optional<T> maybe, const std::string& why_not) {
+    return maybe ? Fact(*std::move(maybe)) : unknown(why_not);
   }
 };
 

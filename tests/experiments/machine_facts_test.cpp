@@ -71,8 +71,12 @@ TEST_F(Facts, frequencies_are_of_the_allowed_processors) {
     const bool allowed = std::string(processor) != "cpu2";
     root.write(folder + "scaling_governor", allowed ? "performance\n" : "powersave\n");
     root.write(folder + "scaling_driver", "intel_pstate\n");
-    root.write(folder + "scaling_min_freq", allowed ? "800000\n" : "100\n");
-    root.write(folder + "scaling_max_freq", processor == std::string("cpu1") ? "3600000\n" : "3000000\n");
+    root.write(folder + "scaling_min_freq", !allowed                           ? "100\n"
+                                            : processor == std::string("cpu0") ? "800000\n"
+                                                                               : "900000\n");
+    root.write(folder + "scaling_max_freq", !allowed                           ? "5000000\n"
+                                            : processor == std::string("cpu0") ? "3600000\n"
+                                                                               : "3000000\n");
   }
   MachineFacts facts = read();
   EXPECT_EQ(facts.governor.value, "performance");
