@@ -1,4 +1,5 @@
-// The single checks of `judge`.
+// The single checks of `judge`. To add one: here, in the list of findings.cpp, and its good, bad and unknown
+// case in the tests, which ask for all three.
 #pragma once
 
 #include "experiments/findings.h"

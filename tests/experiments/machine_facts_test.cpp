@@ -161,7 +161,9 @@ TEST_F(Facts, throttling_is_summed_over_groups_and_versions) {
 }
 
 TEST_F(Facts, memory_and_swap_are_bytes) {
-  root.write("proc/meminfo", "MemTotal:  1000 kB\nMemAvailable: 600 kB\nSwapTotal: 50 kB\nSwapFree: 20 kB\n");
+  root.write(
+      "proc/meminfo",
+      "MemTotalElse: 7 kB\nMemTotal:  1000 kB\nMemAvailable: 600 kB\nSwapTotal: 50 kB\nSwapFree: 20 kB\n");
   const MachineFacts facts = read();
   EXPECT_EQ(facts.memory_bytes.value, 1000 * 1024);
   EXPECT_EQ(facts.free_memory_bytes.value, 600 * 1024);
