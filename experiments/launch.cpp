@@ -10,6 +10,7 @@
 #include "experiments/cell_factors.h"
 #include "experiments/cell_record.h"
 #include "experiments/clock.h"
+#include "experiments/machine/machine_state.h"
 #include "experiments/render_job.h"
 #include "results/statistics.h"
 #include "schedulers/placement.h"
@@ -169,6 +170,25 @@ void fill_in_workers(const RenderJob& job, Record& record) {
   record.imbalance = log.imbalance();
 }
 
+/// What the machine does from its making on.
+class Surroundings {
+ public:
+  explicit Surroundings(const ProcessorSet& allowed)
+      : allowed_(allowed), spin_before_(spin_seconds()), before_(read_state("/", allowed)) {}
+
+  [[nodiscard]] LaunchState change() const {
+    LaunchState state = change_between(before_, read_state("/", allowed_));
+    state.spin_before_seconds = spin_before_;
+    state.spin_after_seconds = spin_seconds();
+    return state;
+  }
+
+ private:
+  const ProcessorSet& allowed_;
+  const double spin_before_;
+  const StateCounters before_;
+};
+
 }  // namespace
 
 bool has_settled(const std::vector<double>& frames) {
@@ -178,6 +198,7 @@ bool has_settled(const std::vector<double>& frames) {
 }
 
 void run_launch(const Cell& cell, const LaunchOptions& options) {
+  const ProcessorSet allowed = allowed_processors();  // before a scheduler binds this thread
   RenderJob job(cell);
   Record record = record_of(cell);
   record.library = library_text(cell);
@@ -191,6 +212,7 @@ void run_launch(const Cell& cell, const LaunchOptions& options) {
   }
   job.reset(detail);
   if (options.before_timing) options.before_timing();
+  const Surroundings surroundings(allowed);
   double total = 0;
   uint64_t chunks = 0;
   do {
@@ -199,6 +221,7 @@ void run_launch(const Cell& cell, const LaunchOptions& options) {
     record.chunks_made.push_back(job.log().chunks() - chunks);
     chunks += record.chunks_made.back();
   } while (options.timed && total < options.seconds);
+  if (options.timed) record.state = surroundings.change();
   fill_in_pictures(job, record);
   fill_in_workers(job, record);
   const bool alone = !options.keep_busy;  // co-running copies are asked for their pace only

@@ -62,6 +62,9 @@ LaunchOutcome corun(const Cell& cell, double seconds, double deadline) {
     }
   }
   all.record->processes = cell.processes;
+  // The others of one copy are the other copies, too; they all ran while it was timed.
+  if (auto& others = all.record->state.other_processors)
+    others = std::max(0.0, *others - (cell.processes - 1));
   all.record->cell = cell.key();
   return all;
 }

@@ -7,7 +7,7 @@
 
 #include "experiments/config.h"
 #include "experiments/file_descriptor.h"
-#include "experiments/machine.h"
+#include "experiments/machine/machine.h"
 #include "experiments/plan.h"
 #include "results/record.h"
 

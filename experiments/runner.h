@@ -6,7 +6,7 @@
 
 #include "experiments/experiment_run.h"
 #include "experiments/launcher.h"
-#include "experiments/machine.h"
+#include "experiments/machine/machine.h"
 
 namespace raysweep {
 

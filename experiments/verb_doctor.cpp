@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/errors.h"
-#include "experiments/findings.h"
-#include "experiments/machine.h"
+#include "experiments/machine/findings.h"
+#include "experiments/machine/machine.h"
+#include "experiments/self_comparison.h"
 #include "experiments/verbs.h"
 
 namespace raysweep {
@@ -15,17 +16,34 @@ constexpr double longest_watch = 3600;
 
 struct DoctorOptions {
   double seconds = 2;
+  int pairs = 20;
 };
 
+/// Launches a small cell twice, again and again: what differs is noise.
+void compare_with_itself(Examination& examination, int processors, int pairs) {
+  constexpr double launch_seconds = 0.1;
+  ProcessLauncher launcher;
+  const SelfComparison comparison =
+      compare_with_itself(self_comparison_cell(processors), pairs, launch_seconds, launcher);
+  examination.noise = noise_floor(comparison.log_ratios, noise_launches);
+  examination.noise_unknown = pairs == 0                    ? "not asked for (--pairs)"
+                              : !comparison.failure.empty() ? comparison.failure
+                                                            : examination.noise.to_text();
+}
+
 Examination examine(const DoctorOptions& options) {
-  return {detect_machine().facts, build_facts(), timer_report(), watch_machine(options.seconds)};
+  const Machine machine = detect_machine();
+  Examination examination{
+      machine.facts, build_facts(), timer_report(), watch_machine(options.seconds), {}, {}};
+  compare_with_itself(examination, machine.topology.processors(), options.pairs);
+  return examination;
 }
 
 nlohmann::json to_json(const Examination& examination, const std::vector<Finding>& findings) {
   nlohmann::json json{{"timer", to_json(examination.timer)},
                       {"facts", to_json(examination.facts)},
                       {"build", to_json(examination.build)},
-                      {"watch", to_json(examination.watch.change)},
+                      {"watch", state_as_json(examination.watch.change)},
                       {"verdict", verdict(findings)}};
   json["findings"] = nlohmann::json::array();
   for (const Finding& finding : findings) json["findings"].push_back(to_json(finding));
@@ -63,6 +81,9 @@ void add_doctor(CommandLine& line) {
       add_verb(line, "doctor", "is this machine fit to measure on, and what to do about it");
   static DoctorOptions options;
   verb->add_option("--seconds", options.seconds, "how long to watch the machine (default 2)");
+  verb->add_option("--pairs", options.pairs,
+                   "pairs of launches for the noise floor (default 20; 0: do without)")
+      ->check(CLI::Range(0, 10000));
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/errors.h"
-#include "experiments/machine.h"
+#include "experiments/machine/machine.h"
 #include "experiments/verbs.h"
 #include "results/table.h"
 #include "schedulers/options.h"

@@ -27,7 +27,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ItemSeconds, sum, max)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RayRecord, primary, shadow, reflected, refracted)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeftOutRecord, by_depth, by_tolerance, by_branches, bound, lost_media)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MachineRecord, host, cpu, pus, cores, load)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LaunchState, other_processors, steal_share, pressure_share,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LaunchState, wall_seconds, other_processors, steal_share, pressure_share,
                                    throttled_seconds, thermal_throttles, voluntary_switches,
                                    involuntary_switches, major_faults, spin_before_seconds,
                                    spin_after_seconds)
@@ -127,6 +127,8 @@ nlohmann::json to_json(const Record& record) {
   json["frame_seconds"] = frames_to_json(record);
   return json;
 }
+
+nlohmann::json state_as_json(const LaunchState& state) { return state; }
 
 std::string to_line(const Record& record) {
   return to_json(record).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -62,6 +62,7 @@ struct MachineRecord {
 
 /// What the machine did during the timed frames of a launch; none: this machine does not tell.
 struct LaunchState {
+  std::optional<double> wall_seconds;      // for which the following were counted
   std::optional<double> other_processors;  // that other processes used, on average
   std::optional<double> steal_share;       // of our processors' time that the hypervisor gave to others
   std::optional<double> pressure_share;    // of the time, some thread of the machine waited for a processor
@@ -125,6 +126,7 @@ struct RecordError : std::runtime_error {
 };
 
 [[nodiscard]] nlohmann::json to_json(const Record& record);
+[[nodiscard]] nlohmann::json state_as_json(const LaunchState& state);
 /// One line of records.jsonl, without its newline. What is not UTF-8 in a name or a reason is replaced.
 [[nodiscard]] std::string to_line(const Record& record);
 [[nodiscard]] Record record_from_json(const nlohmann::json& json);

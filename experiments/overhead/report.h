@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/machine.h"
+#include "experiments/machine/machine.h"
 #include "results/table.h"
 
 namespace raysweep {

@@ -9,12 +9,12 @@ namespace raysweep {
 namespace {
 
 TEST(doctor, judges_every_check_in_one_document) {
-  const ProgramResult result = run_program({"doctor", "--seconds", "0.2", "--json"});
+  const ProgramResult result = run_program({"doctor", "--seconds", "0.2", "--pairs", "6", "--json"});
   EXPECT_EQ(result.exit_code, 0) << "findings are no failures: " << result.err;
   EXPECT_EQ(result.err, "");
   const auto json = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_FALSE(json.is_discarded()) << result.out;
-  EXPECT_EQ(json["findings"].size(), 18u);
+  EXPECT_EQ(json["findings"].size(), 19u);
   for (const auto& finding : json["findings"]) {
     const std::string state = finding["state"];
     EXPECT_TRUE(state == "good" || state == "bad" || state == "unknown") << finding;
@@ -27,7 +27,7 @@ TEST(doctor, judges_every_check_in_one_document) {
 }
 
 TEST(doctor, ends_its_table_with_one_sentence) {
-  const ProgramResult result = run_program({"doctor", "--seconds", "0.1"});
+  const ProgramResult result = run_program({"doctor", "--seconds", "0.1", "--pairs", "0"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   for (const char* check : {"governor", "SMT", "quota", "other load", "frequency"})
     EXPECT_NE(result.out.find(check), std::string::npos) << result.out;

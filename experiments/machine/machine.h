@@ -6,7 +6,7 @@
 #include <string>
 
 #include "experiments/config.h"
-#include "experiments/machine_facts.h"
+#include "experiments/machine/machine_facts.h"
 #include "results/record.h"
 #include "schedulers/placement.h"
 #include "schedulers/topology.h"

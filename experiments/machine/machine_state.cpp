@@ -1,4 +1,4 @@
-#include "experiments/machine_state.h"
+#include "experiments/machine/machine_state.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "experiments/clock.h"
-#include "experiments/control_groups.h"
-#include "experiments/kernel_files.h"
-#include "experiments/processor_facts.h"
+#include "experiments/machine/control_groups.h"
+#include "experiments/machine/kernel_files.h"
+#include "experiments/machine/processor_facts.h"
 
 namespace raysweep {
 
@@ -88,8 +88,8 @@ StateCounters read_state(const fs::path& root, const ProcessorSet& allowed) {
   return state;
 }
 
-StateChange change_between(const StateCounters& before, const StateCounters& after) {
-  StateChange change;
+LaunchState change_between(const StateCounters& before, const StateCounters& after) {
+  LaunchState change;
   const double wall = after.wall_seconds - before.wall_seconds;
   if (!(wall > 0)) return change;
   change.wall_seconds = wall;
@@ -107,19 +107,6 @@ StateChange change_between(const StateCounters& before, const StateCounters& aft
   change.involuntary_switches = difference(before.involuntary_switches, after.involuntary_switches);
   change.major_faults = difference(before.major_faults, after.major_faults);
   return change;
-}
-
-nlohmann::json to_json(const StateChange& c) {
-  const auto value = [](const std::optional<double>& v) { return v ? nlohmann::json(*v) : nlohmann::json(); };
-  return {{"wall_seconds", value(c.wall_seconds)},
-          {"other_processors", value(c.other_processors)},
-          {"steal_share", value(c.steal_share)},
-          {"pressure_share", value(c.pressure_share)},
-          {"throttled_seconds", value(c.throttled_seconds)},
-          {"thermal_throttles", value(c.thermal_throttles)},
-          {"voluntary_switches", value(c.voluntary_switches)},
-          {"involuntary_switches", value(c.involuntary_switches)},
-          {"major_faults", value(c.major_faults)}};
 }
 
 double spin_seconds() {

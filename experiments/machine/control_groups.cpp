@@ -1,11 +1,11 @@
-#include "experiments/control_groups.h"
+#include "experiments/machine/control_groups.h"
 
 #include <algorithm>
 #include <limits>
 #include <sstream>
 #include <string>
 
-#include "experiments/kernel_files.h"
+#include "experiments/machine/kernel_files.h"
 
 namespace raysweep {
 

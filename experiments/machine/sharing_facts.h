@@ -1,7 +1,7 @@
 // Whether the machine is one: virtual machines and containers.
 #pragma once
 
-#include "experiments/machine_facts.h"
+#include "experiments/machine/machine_facts.h"
 
 namespace raysweep {
 

@@ -1,4 +1,4 @@
-#include "experiments/machine.h"
+#include "experiments/machine/machine.h"
 
 #include <fmt/format.h>
 #include <sys/utsname.h>
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "experiments/build_facts.h"
-#include "experiments/cycle_timer.h"
+#include "experiments/machine/build_facts.h"
+#include "experiments/machine/cycle_timer.h"
 #include "experiments/runtime_variables.h"
 #include "schedulers/binding.h"
 

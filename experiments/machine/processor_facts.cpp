@@ -1,4 +1,4 @@
-#include "experiments/processor_facts.h"
+#include "experiments/machine/processor_facts.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "experiments/kernel_files.h"
+#include "experiments/machine/kernel_files.h"
 #include "schedulers/placement.h"
 
 namespace raysweep {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/finding_checks.h"
+#include "experiments/machine/finding_checks.h"
 
 namespace raysweep {
 

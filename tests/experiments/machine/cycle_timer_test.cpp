@@ -1,5 +1,5 @@
 // The timer on clocks that the test turns by hand, and what little can be claimed of the real one.
-#include "experiments/cycle_timer.h"
+#include "experiments/machine/cycle_timer.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <vector>
 
+#include "results/record.h"
 #include "schedulers/binding.h"
 
 namespace raysweep {
@@ -29,26 +28,14 @@ struct StateCounters {
 [[nodiscard]] StateCounters read_state(const std::filesystem::path& root = "/",
                                        const ProcessorSet& allowed = allowed_processors());
 
-/// What lies between two readings; none: unknown. For one launch.
-struct StateChange {
-  std::optional<double> wall_seconds;
-  /// Allowed processors that others (processes, interrupts, this process's own children) used on average.
-  std::optional<double> other_processors;
-  std::optional<double> steal_share;     // of wall time × allowed processors
-  std::optional<double> pressure_share;  // of wall time; counts this process's threads too
-  std::optional<double> throttled_seconds;
-  std::optional<double> thermal_throttles;
-  std::optional<double> voluntary_switches, involuntary_switches, major_faults;
-};
-
 /// Shorter windows have no `other_processors` and no `steal_share`: /proc/stat counts ticks of 10 ms, which
 /// is 10 % of this.
 inline constexpr double least_window_seconds = 0.1;
 
-[[nodiscard]] StateChange change_between(const StateCounters& before, const StateCounters& after);
-
-/// Unknown values are null.
-[[nodiscard]] nlohmann::json to_json(const StateChange& change);
+/// What lies between two readings. `other_processors` are of the allowed ones, used by other processes, this
+/// one's children among them, and by interrupts; `pressure_share` counts this process's threads too. No
+/// spins.
+[[nodiscard]] LaunchState change_between(const StateCounters& before, const StateCounters& after);
 
 /// A proxy of the frequency of the processor it is called on: the fastest of a few repeats of a fixed chain
 /// of dependent integer operations, each about 0.2 ms. Twice the time: half the frequency, or another thread

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "experiments/fact.h"
+#include "experiments/machine/fact.h"
 
 namespace raysweep {
 

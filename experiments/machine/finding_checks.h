@@ -2,7 +2,7 @@
 // case in the tests, which ask for all three.
 #pragma once
 
-#include "experiments/findings.h"
+#include "experiments/machine/findings.h"
 
 namespace raysweep {
 
@@ -32,6 +32,7 @@ Finding check_load_average(const Examination& e);
 Finding check_frequency(const Examination& e);
 Finding check_swap(const Examination& e);
 Finding check_memory(const Examination& e);
+Finding check_noise(const Examination& e);
 
 [[nodiscard]] inline Finding good(std::string name, std::string value) {
   return {std::move(name), FindingState::good, std::move(value), {}, {}};

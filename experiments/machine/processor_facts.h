@@ -1,7 +1,7 @@
 // The facts of processors: which there are, how fast they may run.
 #pragma once
 
-#include "experiments/machine_facts.h"
+#include "experiments/machine/machine_facts.h"
 
 namespace raysweep {
 

@@ -1,4 +1,4 @@
-#include "experiments/machine_watch.h"
+#include "experiments/machine/machine_watch.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "experiments/clock.h"
-#include "experiments/kernel_files.h"
+#include "experiments/machine/kernel_files.h"
 
 namespace raysweep {
 

@@ -1,9 +1,9 @@
-#include "experiments/sharing_facts.h"
+#include "experiments/machine/sharing_facts.h"
 
 #include <array>
 #include <sstream>
 
-#include "experiments/kernel_files.h"
+#include "experiments/machine/kernel_files.h"
 
 namespace raysweep {
 

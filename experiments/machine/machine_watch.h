@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/machine_state.h"
+#include "experiments/machine/machine_state.h"
 
 namespace raysweep {
 
@@ -18,7 +18,7 @@ struct BusyProcess {
 };
 
 struct MachineWatch {
-  StateChange change;
+  LaunchState change;
   std::vector<double> spin_seconds;  // a reading every 50 ms
   std::vector<BusyProcess> busiest;  // the most at first, at most 5, without this one
 };

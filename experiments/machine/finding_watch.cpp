@@ -2,8 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "experiments/finding_checks.h"
+#include "experiments/machine/finding_checks.h"
 
 namespace raysweep {
 
@@ -130,6 +131,18 @@ Finding check_memory(const Examination& e) {
   if (*free.value >= least_share * *memory.value) return good(name, value);
   return bad(name, value, "scenes are pushed out of memory, and launches end for lack of it",
              "end what fills it: `ps -e --sort=-rss -o rss,pid,comm | head`");
+}
+
+Finding check_noise(const Examination& e) {
+  const char* const name = "noise (A/A test)";
+  if (!e.noise.log_ratio) return unknown(name, e.noise_unknown);
+  const double share = std::expm1(*e.noise.log_ratio);
+  const std::string value = fmt::format("{} between {} launches and {} of the same, 95 times of 100",
+                                        percent(share), noise_launches, noise_launches);
+  if (share <= target_half_width) return good(name, value);
+  return bad(name, value,
+             "smaller differences between two cells cannot be told from chance with so few launches",
+             "mend what else is found here; or raise measure.launches: four times as many see half as much");
 }
 
 }  // namespace raysweep

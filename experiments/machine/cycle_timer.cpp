@@ -1,4 +1,4 @@
-#include "experiments/cycle_timer.h"
+#include "experiments/machine/cycle_timer.h"
 
 #include <chrono>
 #include <limits>

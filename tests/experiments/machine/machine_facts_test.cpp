@@ -1,15 +1,15 @@
 // Facts from a /proc and /sys that the test writes.
-#include "experiments/machine_facts.h"
+#include "experiments/machine/machine_facts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/build_facts.h"
-#include "experiments/control_groups.h"
-#include "experiments/machine.h"
-#include "tests/experiments/fake_root.h"
+#include "experiments/machine/build_facts.h"
+#include "experiments/machine/control_groups.h"
+#include "experiments/machine/machine.h"
+#include "tests/experiments/machine/fake_root.h"
 
 namespace raysweep {
 namespace {

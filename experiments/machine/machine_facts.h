@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/fact.h"
+#include "experiments/machine/fact.h"
 
 namespace raysweep {
 

@@ -1,5 +1,5 @@
 // Every check: what it calls good, what bad and what unknown.
-#include "experiments/findings.h"
+#include "experiments/machine/findings.h"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +35,11 @@ Examination quiet_machine() {
   e.build.type = "Release";
   e.timer.source = "tsc";
   e.timer.resolution_seconds = 1e-8;
-  StateChange& c = e.watch.change;
+  LaunchState& c = e.watch.change;
   c.wall_seconds = 2;
   c.other_processors = c.steal_share = c.pressure_share = c.throttled_seconds = c.thermal_throttles = 0;
   e.watch.spin_seconds.assign(40, 2e-4);
+  e.noise = {0.01, 20};
   return e;
 }
 
@@ -60,6 +61,13 @@ Fact<T> not_known() {
 }
 
 const std::vector<Case> cases{
+    {"noise (A/A test)", is_good, "1.0 % between 7 launches and 7", [](Examination&) {}},
+    {"noise (A/A test)", is_bad, "raise measure.launches", [](Examination& e) { e.noise.log_ratio = 0.03; }},
+    {"noise (A/A test)", is_unknown, "it was killed",
+     [](Examination& e) {
+       e.noise.log_ratio.reset();
+       e.noise_unknown = "it was killed";
+     }},
     {"quota", is_bad, "at most 1 threads", [](Examination& e) { e.facts.quota = 1.5; }},
     {"quota", is_bad, "7.5 of 8 processors", [](Examination& e) { e.facts.quota = 7.5; }},
     {"quota", is_good, "8 of 8", [](Examination& e) { e.facts.quota = 8.0; }},
@@ -206,7 +214,7 @@ TEST(findings, unknown_is_no_warning) {
   const auto findings = judge({});
   for (const Finding& finding : findings) EXPECT_EQ(finding.state, is_unknown) << finding.name;
   EXPECT_EQ(verdict(findings),
-            "Nothing found that would hide small differences; 18 things cannot be known here.");
+            "Nothing found that would hide small differences; 19 things cannot be known here.");
 }
 
 TEST(findings, what_is_bad_comes_first_and_the_verdict_names_it) {

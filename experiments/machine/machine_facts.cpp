@@ -1,4 +1,4 @@
-#include "experiments/machine_facts.h"
+#include "experiments/machine/machine_facts.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "experiments/control_groups.h"
-#include "experiments/kernel_files.h"
-#include "experiments/processor_facts.h"
-#include "experiments/sharing_facts.h"
+#include "experiments/machine/control_groups.h"
+#include "experiments/machine/kernel_files.h"
+#include "experiments/machine/processor_facts.h"
+#include "experiments/machine/sharing_facts.h"
 
 namespace raysweep {
 

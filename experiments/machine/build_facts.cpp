@@ -1,5 +1,5 @@
 // The only file that is compiled anew when the state of the sources changes.
-#include "experiments/build_facts.h"
+#include "experiments/machine/build_facts.h"
 
 #include <nlohmann/json.hpp>
 #include <string_view>

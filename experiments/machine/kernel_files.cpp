@@ -1,4 +1,4 @@
-#include "experiments/kernel_files.h"
+#include "experiments/machine/kernel_files.h"
 
 #include <fmt/format.h>
 

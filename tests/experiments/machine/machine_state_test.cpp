@@ -1,13 +1,13 @@
 // What lies between two readings: by made-up numbers, and by files that the test writes.
-#include "experiments/machine_state.h"
+#include "experiments/machine/machine_state.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/machine_watch.h"
-#include "tests/experiments/fake_root.h"
+#include "experiments/machine/machine_watch.h"
+#include "tests/experiments/machine/fake_root.h"
 
 namespace raysweep {
 namespace {
@@ -20,7 +20,7 @@ struct Readings {
     before.wall_seconds = 100;
     after.wall_seconds = 102;
   }
-  [[nodiscard]] StateChange change() const { return change_between(before, after); }
+  [[nodiscard]] LaunchState change() const { return change_between(before, after); }
 };
 
 TEST(state_change, others_used_what_is_busy_less_what_we_used) {
@@ -54,7 +54,7 @@ TEST(state_change, counters_are_subtracted) {
   r.after.major_faults = 1;
   r.after.voluntary_switches = 30;
   r.after.involuntary_switches = 11;
-  const StateChange change = r.change();
+  const LaunchState change = r.change();
   EXPECT_EQ(change.throttled_seconds, 0.5);
   EXPECT_EQ(change.thermal_throttles, 3);
   EXPECT_EQ(change.major_faults, 0);
@@ -65,7 +65,7 @@ TEST(state_change, counters_are_subtracted) {
 TEST(state_change, what_either_reading_does_not_know_is_unknown) {
   Readings r;
   r.after.busy_seconds = r.after.steal_seconds = r.after.pressure_seconds = r.after.throttled_seconds = 1;
-  const auto json = to_json(r.change());
+  const auto json = state_as_json(r.change());
   for (const auto& [name, value] : json.items()) EXPECT_EQ(value.is_null(), name != "wall_seconds") << name;
 }
 

@@ -1,4 +1,4 @@
-#include "experiments/findings.h"
+#include "experiments/machine/findings.h"
 
 #include <fmt/format.h>
 
@@ -6,18 +6,18 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "experiments/finding_checks.h"
+#include "experiments/machine/finding_checks.h"
 
 namespace raysweep {
 
 namespace {
 
-constexpr std::array<Check, 18> checks{check_quota,      check_throttling,   check_allowed,
-                                       check_other_load, check_load_average, check_steal,
-                                       check_pressure,   check_smt,          check_turbo,
-                                       check_governor,   check_frequency,    check_clock,
-                                       check_memory,     check_swap,         check_huge_pages,
-                                       check_layout,     check_build,        check_virtual_machine};
+constexpr std::array<Check, 19> checks{
+    check_noise,      check_quota,        check_throttling,     check_allowed,
+    check_other_load, check_load_average, check_steal,          check_pressure,
+    check_smt,        check_turbo,        check_governor,       check_frequency,
+    check_clock,      check_memory,       check_swap,           check_huge_pages,
+    check_layout,     check_build,        check_virtual_machine};
 
 const char* name_of(FindingState state) {
   switch (state) {

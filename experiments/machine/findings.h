@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "experiments/build_facts.h"
-#include "experiments/cycle_timer.h"
-#include "experiments/machine_facts.h"
-#include "experiments/machine_watch.h"
+#include "experiments/machine/build_facts.h"
+#include "experiments/machine/cycle_timer.h"
+#include "experiments/machine/machine_facts.h"
+#include "experiments/machine/machine_watch.h"
+#include "results/noise_floor.h"
 #include "results/table.h"
 
 namespace raysweep {
@@ -30,7 +31,11 @@ struct Examination {
   BuildFacts build;
   TimerReport timer;
   MachineWatch watch;
+  NoiseFloor noise;           // of comparisons of `noise_launches` launches, by an A/A test
+  std::string noise_unknown;  // why it is
 };
+
+inline constexpr int noise_launches = 7;  // as many as runs have of each cell, at least
 
 /// Every check, what is bad first, then what is unknown, then what is good.
 [[nodiscard]] std::vector<Finding> judge(const Examination& examination);
