@@ -11,7 +11,7 @@ namespace {
 std::string signed_number(double ratio) {
   const double percent = (ratio - 1) * 100;
   const std::string size = fmt::format("{:.1f}", std::abs(percent));
-  return size == "0.0" ? size : (percent < 0 ? "−" : "+") + size;
+  return size == "0.0" ? size : fmt::format("{}{}", percent < 0 ? "−" : "+", size);
 }
 
 std::string floor_text(const NoiseFloor& floor) {

@@ -69,6 +69,16 @@ FpsTable read_table(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::vector<PublishedFps> published_fps(const std::filesystem::path& file) {
+  const FpsTable table = read_table(file);
+  std::vector<PublishedFps> modes;
+  for (size_t i = 1; i < table.columns.size(); ++i) {
+    PublishedFps& mode = modes.emplace_back(PublishedFps{table.columns[i], {}});
+    for (const auto& [threads, values] : table.rows) mode.by_threads[static_cast<int>(threads)] = values[i];
+  }
+  return modes;
+}
+
 std::vector<PublishedYield> published_yields(const std::filesystem::path& file, int few_threads,
                                              int many_threads) {
   const FpsTable table = read_table(file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,16 @@ struct PublishedYield {
   std::string mode;
   double yield;
 };
+
+/// fps by threads, in one mode.
+struct PublishedFps {
+  std::string mode;
+  std::map<int, double> by_threads;
+};
+
+/// From a table of fps as below, in the order of its columns. Throws RecordError for a file that is no such
+/// table.
+[[nodiscard]] std::vector<PublishedFps> published_fps(const std::filesystem::path& file);
 
 /// From a table of fps, "threads,MODE,MODE,…" and one line a thread count, in the order of its columns.
 /// Throws RecordError for a file that is no such table, or has not both thread counts.

@@ -49,10 +49,11 @@ std::string peak_text(const ScalingLaws& laws) {
 std::string remark(const ScalingLaws& laws) {
   if (!laws.refused.empty()) return laws.refused;
   std::string text;
-  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  const auto add = [&](const std::string& what) { text.append(text.empty() ? "" : "; ").append(what); };
   if (laws.amdahl->superlinear) add("Amdahl: superlinear (its serial share is negative)");
   if (laws.usl->superlinear) {
-    add(fmt::format("USL: superlinear ({} is negative)", laws.usl->serial_share.value < 0 ? "σ" : "κ"));
+    add(fmt::format("USL: superlinear ({} is negative)",
+                    laws.usl->serial_share.value < laws.usl->coherence->value ? "σ" : "κ"));
   }
   return text;
 }
