@@ -29,9 +29,9 @@ struct Standings {
 
 /// Groups are rows with the same picture, tracer and threads; what hands out the work differs (scheduler,
 /// runtime, item, order, chunk, pin, wait policy, …). Intervals are corrected for all pairs of all groups,
-/// not only those with the best: which one is the best was read from the same launches, and with six equal
-/// cells of 7 launches the correction for five comparisons finds a difference in 10 runs of 100, that for all
-/// fifteen in 4 (simulated).
+/// not only those with the best: which one is the best was read from the same launches. Corrected for the
+/// comparisons with the best alone, equal cells would show a difference in 7 runs of 100 (6 cells, 7
+/// launches) to 17 (27 cells, 28 launches); corrected for all pairs, in 1 to 3 (simulated, normal fps).
 [[nodiscard]] Standings against_the_best(const std::vector<CellRow>& rows, const NoiseFloor& floor);
 
 }  // namespace raysweep

@@ -29,12 +29,10 @@ Table frame_table(const std::vector<CellRow>& rows, const std::vector<std::optio
   const auto factors = varying_factors(rows);
   Table table;
   table.caption =
-      "Frame times in milliseconds, over all frames of all launches; brackets hold 95 % intervals by a "
-      "bootstrap "
-      "over launches and their frames\n"
-      "quantiles between two frames are on the line between them; p99 from 100 frames on; the cold frame is "
-      "a "
-      "process's first";
+      "Frame times in milliseconds, over all frames of all launches\n"
+      "brackets hold 95 % intervals by a bootstrap over launches and frames; p95's where these are worth 72\n"
+      "quantiles between two frames are on the line between them; p99 from 100 frames on\n"
+      "the cold frame is a process's first";
   for (const FactorText& f : factors) table.columns.push_back({f.name, f.number});
   for (const char* title : {"launches", "frames", "p5", "p50", "p95", "p99", "max", "cold frame"})
     table.columns.push_back({title});

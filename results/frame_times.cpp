@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
+#include <numeric>
 
 namespace raysweep {
 
@@ -61,6 +62,30 @@ class Quantiles {
 
 }  // namespace
 
+double effective_frames(const FramesByLaunch& frames) {
+  const auto mean = [](const std::vector<double>& list) {
+    return std::accumulate(list.begin(), list.end(), 0.0) / static_cast<double>(list.size());
+  };
+  const auto launches = static_cast<double>(frames.size());
+  const double all_mean = mean(sorted_frames(frames));
+  double count = 0, counts_squared = 0, between = 0, within = 0;
+  for (const auto& launch : frames) {
+    const auto size = static_cast<double>(launch.size());
+    const double own = mean(launch);
+    count += size;
+    counts_squared += size * size;
+    between += size * (own - all_mean) * (own - all_mean);
+    for (const double frame : launch) within += (frame - own) * (frame - own);
+  }
+  if (launches < 2 || count <= launches) return launches;
+  const double size = (count - counts_squared / count) / (launches - 1);  // of launches that differ in size
+  between /= launches - 1;
+  within /= count - launches;
+  const double total = between + (size - 1) * within;
+  const double correlation = total > 0 ? std::max(0.0, (between - within) / total) : 0;
+  return count / (1 + (count / launches - 1) * correlation);
+}
+
 std::optional<FrameTimes> frame_times(const FramesByLaunch& frames, const std::vector<double>& cold_seconds) {
   const auto sorted = sorted_frames(frames);
   if (sorted.empty()) return std::nullopt;
@@ -78,7 +103,7 @@ std::optional<FrameTimes> frame_times(const FramesByLaunch& frames, const std::v
   const auto intervals = hierarchical_bootstrap(to_ranks(frames, sorted), Statistics(std::ref(quantiles)));
   if (!intervals.empty()) {
     times.p50.interval = intervals[0];
-    times.p95.interval = intervals[1];
+    if (effective_frames(frames) >= fewest_effective_frames) times.p95.interval = intervals[1];
   }
   return times;
 }
