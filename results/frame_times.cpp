@@ -43,7 +43,7 @@ class Quantiles {
   }
 
  private:
-  double quantile_of(size_t count, double share) const {
+  [[nodiscard]] double quantile_of(size_t count, double share) const {
     const double position = share * (static_cast<double>(count) - 1);
     const auto below = static_cast<size_t>(position);
     const double part = position - static_cast<double>(below);

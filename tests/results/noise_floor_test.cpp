@@ -1,9 +1,13 @@
 #include "results/noise_floor.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "results/run_data.h"
 #include "results/trimmed_mean.h"
 #include "tests/results/make_record.h"
 #include "tests/results/simulated.h"
@@ -34,7 +38,8 @@ TEST(noise_floor, is_unknown_below_six_pairs_and_says_so) {
   EXPECT_EQ(NoiseFloor({std::log(1.008), 7}).to_text(), "noise floor: 0.8 % (A/A of 7 pairs)");
 }
 
-TEST(noise_floor, comes_from_the_twins_of_a_run) {
+/// Seven rounds of a cell, its twin, which differs by 1 % this way or that, and another cell.
+std::vector<Record> run_with_twins() {
   std::vector<Record> records;
   for (int round = 0; round < 7; ++round) {
     const double slow = 1 + 0.1 * round;
@@ -44,6 +49,11 @@ TEST(noise_floor, comes_from_the_twins_of_a_run) {
     records.back().cell += "twin";
     records.push_back(make_record("omp_dynamic", 2, round, 3 * slow));
   }
+  return records;
+}
+
+TEST(noise_floor, comes_from_the_twins_of_a_run) {
+  auto records = run_with_twins();
   const auto ratios = twin_log_ratios(records);
   ASSERT_EQ(ratios.size(), 7u) << "drift and other cells do not count";
   for (const double ratio : ratios) EXPECT_NEAR(std::abs(ratio), std::log(1.01), 1e-12);
@@ -54,6 +64,27 @@ TEST(noise_floor, comes_from_the_twins_of_a_run) {
   EXPECT_LE(*floor.log_ratio, std::log(1.01) * (1 + 1e-12));
   records[1].valid = false;
   EXPECT_EQ(twin_log_ratios(records).size(), 6u) << "void launches do not count";
+}
+
+TEST(noise_floor, of_a_run_stands_in_the_caption_of_its_table) {
+  const auto folder = std::filesystem::temp_directory_path() / ("raysweep_floor_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  nlohmann::json plan{{"experiment", "test"}, {"title", "title"}, {"interval", 0.02}};
+  std::ofstream records(folder / "records.jsonl");
+  for (const Record& r : run_with_twins()) {
+    records << to_line(r) << "\n";
+    if (r.round == 0) plan["cells"].push_back(to_json(r));
+  }
+  records.close();
+  std::ofstream(folder / "plan.json") << plan;
+  const RunData run = read_run(folder);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(run.records.size(), 21u);
+  EXPECT_EQ(run.rows.size(), 2u) << "a twin has no row";
+  const std::string caption = scaling_table(run.rows, run.context).caption;
+  EXPECT_NE(caption.find("\n" + run.context.floor.to_text() + "; against the best"), std::string::npos)
+      << caption;
+  EXPECT_EQ(run.context.floor.pairs, 7);
 }
 
 }  // namespace

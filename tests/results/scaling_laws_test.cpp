@@ -1,9 +1,12 @@
 #include "results/scaling_laws.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "results/published.h"
 #include "results/scaling_laws_tables.h"
@@ -144,6 +147,24 @@ TEST(scaling_laws_table, says_why_there_is_no_law_and_when_a_curve_is_superlinea
   EXPECT_EQ(scaling_laws_table(rows_of(7, 2)).rows[0].back(),
             "not fitted: 2 thread counts up to 2 cores, 6 are needed");
   EXPECT_EQ(scaling_laws_table(rows_of(7, 6, -0.001)).rows[0].back(), "USL: superlinear (κ is negative)");
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(tables, are_written_the_same_each_time_with_frames_and_laws) {
+  const auto folder = std::filesystem::temp_directory_path() / ("raysweep_laws_" + std::to_string(getpid()));
+  write_tables(rows_of(3, 2), {"test", "title"}, folder / "a");
+  write_tables(rows_of(3, 2), {"test", "title"}, folder / "b");
+  for (const char* file : {"scaling.md", "frames.md", "frames.csv", "laws.md", "laws.csv"}) {
+    EXPECT_FALSE(text_of(folder / "a" / file).empty()) << file;
+    EXPECT_EQ(text_of(folder / "a" / file), text_of(folder / "b" / file)) << file;
+  }
+  write_tables(rows_of(1, 2), {"test", "title"}, folder / "c");
+  EXPECT_FALSE(std::filesystem::exists(folder / "c/laws.md")) << "one thread count";
+  std::filesystem::remove_all(folder);
 }
 
 TEST(scaling_laws_table, is_shown_where_a_law_was_fitted) {
