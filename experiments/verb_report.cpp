@@ -14,7 +14,7 @@ int run(const std::vector<std::string>& folders, bool as_json) {
   auto json = nlohmann::json::array();
   for (const std::string& folder : folders) {
     const RunData data = read_run(folder);
-    json.push_back({{"folder", folder}, {"rows", rows_as_json(data.rows)}});
+    json.push_back({{"folder", folder}, {"rows", rows_as_json(data.rows, data.context.floor)}});
     if (!as_json) fmt::print("{}\n", tables_as_text(data.rows, data.context));
     write_tables(data.rows, data.context, std::filesystem::path(folder) / "tables");
   }

@@ -74,7 +74,7 @@ nlohmann::json describe(const Experiment& experiment, const RunReport& report, c
           {"launches", report.launches},
           {"void_launches", report.void_launches},
           {"complete", report.end == RunEnd::complete},
-          {"rows", rows_as_json(data.rows)}};
+          {"rows", rows_as_json(data.rows, data.context.floor)}};
 }
 
 /// The reports of a run, or why it failed: what was measured before is told all the same.

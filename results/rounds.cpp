@@ -50,6 +50,13 @@ std::string twin_key(const Record& r, int twin) {
   return key_of(r, variant);
 }
 
+std::string original_key(const Record& r) {
+  Variant variant = own_variant(r);
+  variant.twin = 0;
+  variant.slowdown = 0;
+  return key_of(r, variant);
+}
+
 std::string one_thread_key(const Record& r) { return key_of(r, {r.scheduler, r.chunk, 1, 1, 0, 0}); }
 
 std::string serial_key(const Record& r, int processes) {

@@ -20,6 +20,9 @@ using Rounds = std::map<int, const Record*>;
 /// The same cell launched once more in each round: its twin of this number, from 1.
 [[nodiscard]] std::string twin_key(const Record& r, int twin = 1);
 
+/// The cell that `r` is a twin of, or a slowed down one; else its own.
+[[nodiscard]] std::string original_key(const Record& r);
+
 /// One thread of the same scheduler.
 [[nodiscard]] std::string one_thread_key(const Record& r);
 

@@ -20,7 +20,7 @@ RunData read_run(const std::filesystem::path& folder) {
     RunData run;
     run.records = read_records(folder / "records.jsonl");
     run.context = {plan.at("experiment").get<std::string>(), plan.at("title").get<std::string>(),
-                   noise_floor(run.records)};
+                   noise_floor(run.records), detection_power(run.records)};
     run.rows = summarise(run.records, planned, plan.at("interval").get<double>());
     return run;
   } catch (const nlohmann::json::exception& error) {

@@ -41,6 +41,7 @@ std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext&
   if (const auto groups = hyper_threading_groups(rows); !groups.empty())
     add(hyper_threading_table(rows, groups, context.floor));
   if (any_law(scaling_groups(rows))) add(scaling_laws_table(rows));
+  if (!context.power.empty()) add(power_table(context.power));
   for (const ModeTable& made : mode_tables(rows)) add(made.table);
   return text;
 }
@@ -66,6 +67,10 @@ void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
     write_file(folder / "hyper-threading.md",
                to_markdown(hyper_threading_table(rows, groups, context.floor)));
     write_file(folder / "hyper-threading.csv", to_csv(hyper_threading_data(groups)));
+  }
+  if (!context.power.empty()) {
+    write_file(folder / "power.md", to_markdown(power_table(context.power)));
+    write_file(folder / "power.csv", to_csv(power_data(context.power)));
   }
   for (const ModeTable& made : mode_tables(rows)) {
     write_file(folder / (made.name + ".md"), to_markdown(made.table));

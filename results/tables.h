@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/noise_floor.h"
+#include "results/power.h"
 #include "results/scaling.h"
 #include "results/table.h"
 
@@ -16,6 +17,7 @@ namespace raysweep {
 struct TableContext {
   std::string experiment, title;
   NoiseFloor floor{};
+  std::vector<Power> power{};  // of runs that plant slowdowns to learn what comparisons find
 };
 
 /// For people: one row a cell; factors that never change stand in the caption, not in columns, and so does
