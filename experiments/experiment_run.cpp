@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "results/statistics.h"
-#include "results/stopping.h"
+#include "results/statistics/statistics.h"
+#include "results/statistics/stopping.h"
+#include "tracer/hash.h"
 
 namespace raysweep {
 
@@ -21,6 +22,9 @@ int last_look(const Plan& plan, int round) {
     look = next;
   }
 }
+
+/// Co-run cells and twins come along with those that they are for.
+bool serves_others(const Cell& cell) { return cell.processes > 1 || cell.twin > 0; }
 
 }  // namespace
 
@@ -38,8 +42,7 @@ ExperimentRun::ExperimentRun(const Experiment& experiment) : experiment_(experim
 }
 
 bool ExperimentRun::needs_more(const PlannedCell& planned, int look) const {
-  // Co-run cells and twins serve others; they come along with those.
-  if (planned.cell.processes > 1 || planned.cell.twin > 0) return false;
+  if (serves_others(planned.cell)) return false;
   const auto found = fps_.find(planned.key);
   if (found == fps_.end()) return false;  // it never was valid: more rounds would not make it so
   std::vector<double> samples;
@@ -84,6 +87,7 @@ void ExperimentRun::take(Record record, int round) {
   record.launch = report.launches++;
   record.round = round;
   record.seed = plan().seed;
+  record.config_hash = hash_of(config().text);
   if (!record.valid && report.void_launches++ == 0) {
     const auto planned = std::ranges::find(plan().cells, record.cell, &PlannedCell::key);
     report.first_void = fmt::format("{}: {}", short_name(planned->cell), record.reason);
@@ -96,7 +100,7 @@ std::optional<ExperimentRun::Widest> ExperimentRun::widest_interval() const {
   std::optional<Widest> widest;
   for (const PlannedCell& planned : plan().cells) {
     const auto found = fps_.find(planned.key);
-    if (found == fps_.end() || found->second.empty()) continue;
+    if (serves_others(planned.cell) || found == fps_.end() || found->second.empty()) continue;
     std::vector<double> samples;
     for (const auto& [round, fps] : found->second) samples.push_back(fps);
     const auto width = estimate_median(std::move(samples)).relative_half_width();

@@ -12,7 +12,7 @@
 #include "experiments/clock.h"
 #include "experiments/machine/machine_state.h"
 #include "experiments/render_job.h"
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 #include "schedulers/placement.h"
 #include "schedulers/registry.h"
 
@@ -146,6 +146,7 @@ void fill_in_pictures(const RenderJob& job, Record& record) {
   record.valid = record.reason.empty();
   record.build_seconds = job.build_seconds();
   record.image_hash = job.film().hash();
+  record.scene_hash = job.scene_hash();
 }
 
 double seconds(std::chrono::nanoseconds t) { return std::chrono::duration<double>(t).count(); }

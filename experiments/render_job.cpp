@@ -45,6 +45,7 @@ RenderJob::RenderJob(const Cell& cell)
       log_(cell.threads),
       counts_(static_cast<size_t>(cell.threads)) {
   const Scene scene = load_scene(cell.scene, cell.lights);
+  scene_hash_ = raysweep::scene_hash(scene);
   const double begin = now_seconds();
   renderer_ = make_renderer(scene, cell.settings);
   build_seconds_ = now_seconds() - begin;

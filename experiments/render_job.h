@@ -49,6 +49,7 @@ class RenderJob {
   /// What the ray through each pixel's centre meets first, in row order.
   [[nodiscard]] std::vector<uint32_t> hit_ids();
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
+  [[nodiscard]] const std::string& scene_hash() const { return scene_hash_; }
   /// What the items of a frame cost, by their mean over the frames since the last reset; none if not
   /// measured.
   [[nodiscard]] std::optional<ItemSeconds> item_seconds() const;
@@ -90,6 +91,7 @@ class RenderJob {
   Body body_;
   std::atomic<size_t>* watched_ = nullptr;
   double build_seconds_ = 0;
+  std::string scene_hash_;
 };
 
 }  // namespace raysweep

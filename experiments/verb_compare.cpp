@@ -86,9 +86,7 @@ int run(const CompareOptions& options, bool as_json) {
   if (as_json) {
     fmt::print("{}\n", comparison_as_json(comparison).dump(1));
   } else {
-    fmt::print("{}\n", to_text(comparison_table(comparison)));
-    for (const std::string& warning : comparison.warnings) fmt::print("{}\n", warning);
-    fmt::print("{}\n", comparison.sentence);
+    fmt::print("{}", to_text(comparison_table(comparison)));
   }
   return comparison.slower_than(share) ? exit_failed : exit_done;
 }

@@ -5,8 +5,9 @@
 
 #include "experiments/errors.h"
 #include "experiments/machine/machine.h"
+#include "experiments/machine/sibling_probe.h"
 #include "experiments/verbs.h"
-#include "results/table.h"
+#include "results/tables/table.h"
 #include "schedulers/options.h"
 
 namespace raysweep {
@@ -16,6 +17,7 @@ namespace {
 struct TopologyOptions {
   int threads = 0;
   std::string pin = "none";
+  bool probe = false;
 };
 
 /// Thread → processor, with what it shares; the earlier threads that are on the same core or processor count.
@@ -69,14 +71,48 @@ Table table_of(const std::vector<Place>& list, const TopologyOptions& options) {
   return table;
 }
 
+/// What processors do to each other; empty unless asked for.
+std::vector<PairSlowdown> probe(const TopologyOptions& options, const Topology& topology) {
+  if (!options.probe) return {};
+  if (topology.processors() > most_probed_processors) {
+    throw RequestError(
+        fmt::format("--probe tries every pair of up to {} processors; here are {}: allow fewer by taskset",
+                    most_probed_processors, topology.processors()));
+  }
+  return probe_siblings(topology.processor_numbers());
+}
+
+nlohmann::json to_json(const std::vector<PairSlowdown>& pairs, const Topology& topology) {
+  nlohmann::json json{{"disagreements", disagreements(pairs, topology)}};
+  for (const PairSlowdown& pair : pairs)
+    json["pairs"].push_back({{"processors", {pair.first, pair.second}}, {"slowdown", pair.slowdown}});
+  return json;
+}
+
+void print(const std::vector<PairSlowdown>& pairs, const Topology& topology) {
+  const auto sentences = disagreements(pairs, topology);
+  fmt::print("\n");
+  for (const std::string& sentence : sentences) fmt::print("{}\n", sentence);
+  const auto worst = std::ranges::max_element(pairs, {}, &PairSlowdown::slowdown);
+  if (sentences.empty() && worst != pairs.end()) {
+    fmt::print(
+        "probed {} pairs of processors: which share a core is as the topology says; at worst a pair takes "
+        "{:.2f} "
+        "times as long together as alone\n",
+        pairs.size(), worst->slowdown);
+  }
+}
+
 int run(const TopologyOptions& options, bool as_json) {
   const Machine machine = detect_machine();
   const Topology& t = machine.topology;
   if (const std::string problem = pin_problem(options.pin, t.processor_numbers()); !problem.empty())
     throw RequestError(problem);
+  const std::vector<PairSlowdown> pairs = probe(options, t);
   const std::vector<Place> list = places(t, place(options.pin, options.threads, t));
   if (as_json) {
     nlohmann::json json = to_json(machine);
+    if (options.probe) json["probe"] = to_json(pairs, t);
     if (options.threads > 0) json["placement"] = {{"pin", options.pin}, {"threads", to_json(list)}};
     fmt::print("{}\n", json.dump(1));
     return exit_done;
@@ -85,6 +121,7 @@ int run(const TopologyOptions& options, bool as_json) {
   fmt::print("allowed here: {} packages, {} cores, {} processors{}\n\n", t.packages(), t.cores(),
              t.processors(), t.has_smt() ? "" : "; no hyper-threading");
   for (const std::string& object : t.outline) fmt::print("{}\n", object);
+  if (options.probe) print(pairs, t);
   if (options.threads == 0) return exit_done;
   if (list.empty()) {
     fmt::print("\n{} threads, pin none: the operating system places them as it likes\n", options.threads);
@@ -106,6 +143,8 @@ void add_topology(CommandLine& line) {
   verb->add_option("--threads", options.threads, "so many threads")
       ->check(CLI::Range(min_threads, max_threads));
   verb->add_option("--pin", options.pin, "placed by this policy, see `raysweep list pins`");
+  verb->add_flag("--probe", options.probe,
+                 "find out which processors slow each other down: a virtual machine's topology can lie");
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "results/table.h"
+#include "results/tables/table.h"
 #include "schedulers/worker_log.h"
 
 namespace raysweep {

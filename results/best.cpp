@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "results/comparison_text.h"
 #include "results/factors.h"
+#include "results/tables/comparison_text.h"
 
 namespace raysweep {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "results/trimmed_mean.h"
+#include "results/statistics/trimmed_mean.h"
 
 namespace raysweep {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "results/noise_floor.h"
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "results/resampling.h"
+#include "results/statistics/resampling.h"
 
 namespace raysweep {
 

@@ -6,7 +6,7 @@
 
 #include "results/comparison.h"
 #include "results/scaling.h"
-#include "results/table.h"
+#include "results/tables/table.h"
 
 namespace raysweep {
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "results/random.h"
-#include "results/trimmed_mean.h"
+#include "results/statistics/random.h"
+#include "results/statistics/trimmed_mean.h"
 
 namespace raysweep {
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "results/comparison.h"
-#include "results/number_text.h"
 #include "results/rounds.h"
+#include "results/tables/number_text.h"
 
 namespace raysweep {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "results/record.h"
-#include "results/table.h"
+#include "results/tables/table.h"
 
 namespace raysweep {
 

@@ -20,13 +20,13 @@ struct nlohmann::adl_serializer<std::optional<double>> {
 
 namespace raysweep {
 
-// Workers of schemas 1 and 2 have no times.
+// Workers of schemas 1 and 2 have no times, machines of schemas 1 to 3 no quota.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(WorkerRecord, items, chunks, busy_seconds, scheduling_seconds,
                                                 idle_seconds, cpu, migrations)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ItemSeconds, sum, max)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RayRecord, primary, shadow, reflected, refracted)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeftOutRecord, by_depth, by_tolerance, by_branches, bound, lost_media)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MachineRecord, host, cpu, pus, cores, load)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(MachineRecord, host, cpu, pus, cores, load, quota)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LaunchState, wall_seconds, other_processors, steal_share, pressure_share,
                                    throttled_seconds, thermal_throttles, voluntary_switches,
                                    involuntary_switches, major_faults, spin_before_seconds,
@@ -68,7 +68,7 @@ void for_each_field(Each&& each) {
   RAYSWEEP_FIELD(chunk_sizes), RAYSWEEP_FIELD(item_seconds), RAYSWEEP_FIELD(empty_region_seconds);
   RAYSWEEP_FIELD(log_share), RAYSWEEP_FIELD(imbalance), RAYSWEEP_FIELD(shares_cache_lines);
   RAYSWEEP_FIELD(state), RAYSWEEP_FIELD(launch_seconds), RAYSWEEP_FIELD(warm), RAYSWEEP_FIELD(twin);
-  RAYSWEEP_FIELD(slowdown);
+  RAYSWEEP_FIELD(slowdown), RAYSWEEP_FIELD(scene_hash), RAYSWEEP_FIELD(config_hash);
 #undef RAYSWEEP_FIELD
 }
 
@@ -93,7 +93,9 @@ int first_schema_of(const std::string& field) {
                                                 {"launch_seconds", 4},
                                                 {"warm", 4},
                                                 {"twin", 4},
-                                                {"slowdown", 4}};
+                                                {"slowdown", 4},
+                                                {"scene_hash", 4},
+                                                {"config_hash", 4}};
   const auto found = later.find(field);
   return found == later.end() ? 1 : found->second;
 }

@@ -55,9 +55,10 @@ struct LeftOutRecord {
 /// The machine as far as tables need it; machine.json holds the rest.
 struct MachineRecord {
   std::string host, cpu;
-  int pus = 0;      // processors that the run was allowed to use
-  int cores = 0;    // physical cores among them
-  double load = 0;  // one-minute load average when the launch began
+  int pus = 0;                    // processors that the run was allowed to use
+  int cores = 0;                  // physical cores among them
+  double load = 0;                // one-minute load average when the launch began
+  std::optional<double> quota{};  // processors that the control group allows; none: unlimited or unknown
 };
 
 /// What the machine did during the timed frames of a launch; none: this machine does not tell.
@@ -107,7 +108,7 @@ struct Record {
   double build_seconds = 0;
   RayRecord rays;
   LeftOutRecord left_out;
-  std::string image_hash;
+  std::string image_hash, scene_hash, config_hash;
   std::vector<WorkerRecord> workers;
 
   /// Frames a second: frames / total time, summed over processes.

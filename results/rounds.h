@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "results/record.h"
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

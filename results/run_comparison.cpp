@@ -6,13 +6,16 @@
 #include <cmath>
 #include <set>
 
-#include "results/comparison_text.h"
 #include "results/factors.h"
 #include "results/rounds.h"
+#include "results/spoilers.h"
+#include "results/tables/comparison_text.h"
 
 namespace raysweep {
 
 namespace {
+
+constexpr double other_speed = 0.02;  // the half-width that intervals aim at by default
 
 /// "thread_static, 2 threads, chunk 4"
 std::string name_of(const Record& r, const std::vector<FactorText>& varying) {
@@ -83,11 +86,22 @@ std::vector<std::string> machine_warnings(const RunData& a, const RunData& b) {
     return row == run.rows.end() ? MachineRecord() : row->cell.machine;
   };
   const MachineRecord on_a = machine_of(a), on_b = machine_of(b);
-  if (on_a.host == on_b.host && on_a.cpu == on_b.cpu && on_a.pus == on_b.pus) return {};
-  return {
-      fmt::format("the runs were made on different machines: A on {} ({}, {} processors), B on {} ({}, {} "
-                  "processors)",
-                  on_a.host, on_a.cpu, on_a.pus, on_b.host, on_b.cpu, on_b.pus)};
+  if (on_a.host != on_b.host || on_a.cpu != on_b.cpu || on_a.pus != on_b.pus) {
+    return {
+        fmt::format("the runs were made on different machines: A on {} ({}, {} processors), B on {} ({}, {} "
+                    "processors)",
+                    on_a.host, on_a.cpu, on_a.pus, on_b.host, on_b.cpu, on_b.pus)};
+  }
+  std::vector<std::string> warnings{
+      "A and B were measured one after the other: what the machine did otherwise meanwhile counts as their "
+      "difference; cells of one run are compared round by round"};
+  const auto spin_a = usual_spin_seconds(a.records), spin_b = usual_spin_seconds(b.records);
+  if (spin_a && spin_b && std::abs(*spin_b / *spin_a - 1) > other_speed) {
+    warnings.push_back(
+        fmt::format("the processor itself ran at another speed: the calibrated spin took {} in B",
+                    signed_percent(*spin_b / *spin_a)));
+  }
+  return warnings;
 }
 
 /// "B is faster in 3 of 12 cells, slower in 1 (worst −4.1 % [−5.0, −3.2]: …), no difference shown in 8"

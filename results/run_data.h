@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "results/scaling.h"
-#include "results/tables.h"
+#include "results/tables/tables.h"
 
 namespace raysweep {
 

@@ -6,7 +6,7 @@
 
 #include "results/noise_floor.h"
 #include "results/rounds.h"
-#include "results/stability.h"
+#include "results/statistics/stability.h"
 #include "results/suspicions.h"
 
 namespace raysweep {
@@ -49,6 +49,10 @@ void add_notes(CellRow& row, double interval_target, const NoiseFloor& floor) {
   const Record& r = row.cell;
   if (row.launches == 0) row.notes.push_back("not measured: the run ended before its first launch");
   if (row.oversubscribed) row.notes.push_back("oversubscribed");
+  if (r.machine.quota && r.threads > *r.machine.quota) {
+    row.notes.push_back(
+        fmt::format("more threads than the control group's quota of {:.3g} processors", *r.machine.quota));
+  }
   if (r.shares_cache_lines && r.threads > 1) row.notes.push_back("items share cache lines");
   if (row.void_launches > 0) {
     row.notes.push_back(fmt::format("{} of {} launches void: {}", row.void_launches, row.launches, r.reason));

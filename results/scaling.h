@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "results/record.h"
-#include "results/resampling.h"
 #include "results/schedule.h"
 #include "results/spoilers.h"
-#include "results/statistics.h"
+#include "results/statistics/resampling.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "results/rounds.h"
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

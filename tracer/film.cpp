@@ -1,13 +1,11 @@
 #include "tracer/film.h"
 
-#include <fmt/core.h>
-#include <xxhash.h>
-
 #include <cmath>
 #include <cstdio>
 #include <ostream>
 #include <stdexcept>
 
+#include "tracer/hash.h"
 #include "tracer/whole_file.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -35,10 +33,7 @@ unsigned char to_srgb_byte(float linear) {
   return static_cast<unsigned char>(std::lround(encoded * 255));
 }
 
-std::string Film::hash() const {
-  const XXH128_hash_t h = XXH3_128bits(pixels_.data(), pixels_.size() * sizeof(Vec3f));
-  return fmt::format("{:016x}{:016x}", h.high64, h.low64);
-}
+std::string Film::hash() const { return hash_of(pixels_.data(), pixels_.size() * sizeof(Vec3f)); }
 
 void write_png(const Film& film, const std::string& path) {
   if (film.pixels().size() > max_png_pixels)

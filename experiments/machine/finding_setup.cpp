@@ -99,7 +99,8 @@ Finding check_clock(const Examination& e) {
   const TimerReport& timer = e.timer;
   if (timer.source.empty()) return unknown(name, "the timer was not calibrated");
   const Fact<std::string>& kernel = e.facts.clock_source;
-  const std::string value = fmt::format("{} to {:.0f} ns{}", timer.source, timer.resolution_seconds * 1e9,
+  const std::string value = fmt::format("{} to {:.0f} ns, {:.0f} ns of overhead taken off{}", timer.source,
+                                        timer.resolution_seconds * 1e9, timer.overhead_seconds * 1e9,
                                         kernel.value ? ", kernel: " + *kernel.value : "");
   const bool slow = kernel.value && std::find(quick.begin(), quick.end(), *kernel.value) == quick.end();
   if (!slow && timer.resolution_seconds < coarse) return good(name, value);

@@ -10,7 +10,7 @@
 #include "experiments/machine/machine_facts.h"
 #include "experiments/machine/machine_watch.h"
 #include "results/noise_floor.h"
-#include "results/table.h"
+#include "results/tables/table.h"
 
 namespace raysweep {
 

@@ -43,7 +43,7 @@ Machine detect_machine() {
 
 MachineRecord machine_record(const Machine& machine) {
   const Topology& t = machine.topology;
-  return {machine.host, t.cpu, t.processors(), t.cores(), load_average()};
+  return {machine.host, t.cpu, t.processors(), t.cores(), load_average(), machine.quota};
 }
 
 nlohmann::json to_json(const Machine& machine) {

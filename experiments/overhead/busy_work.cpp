@@ -3,7 +3,7 @@
 #include <chrono>
 #include <vector>
 
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "results/number_text.h"
+#include "results/tables/number_text.h"
 
 namespace raysweep {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "results/statistics.h"
-#include "results/table.h"
+#include "results/statistics/statistics.h"
+#include "results/tables/table.h"
 
 namespace raysweep {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/machine/machine.h"
-#include "results/table.h"
+#include "results/tables/table.h"
 
 namespace raysweep {
 

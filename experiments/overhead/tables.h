@@ -9,8 +9,8 @@
 #include "experiments/overhead/metg.h"
 #include "experiments/overhead/row_samples.h"
 #include "experiments/overhead/subject.h"
-#include "results/statistics.h"
-#include "results/table.h"
+#include "results/statistics/statistics.h"
+#include "results/tables/table.h"
 
 namespace raysweep {
 

@@ -2,7 +2,7 @@
 
 #include "experiments/clock.h"
 #include "experiments/interrupt.h"
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

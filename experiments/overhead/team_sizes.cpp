@@ -7,7 +7,7 @@
 #include "experiments/overhead/command.h"
 #include "experiments/overhead/numbers_text.h"
 #include "experiments/overhead/report.h"
-#include "results/statistics.h"
+#include "results/statistics/statistics.h"
 
 namespace raysweep {
 

@@ -44,6 +44,23 @@ TEST(launch, a_bound_worker_without_an_item_has_its_processor_all_the_same) {
   EXPECT_EQ(r.processors_seen, static_cast<int>(std::min<size_t>(2, allowed_processors().size())));
 }
 
+TEST(launch, a_planted_slowdown_makes_frames_longer_and_not_their_items) {
+  Cell cell = small_cell("serial", 1);
+  cell.slowdown = 1;
+  const Record r = launched(cell);
+  ASSERT_GT(r.log_share, 0) << "the log is needed to tell";
+  EXPECT_LE(r.workers.front().busy_seconds, r.frame_seconds.front().front() / 2);
+  EXPECT_EQ(r.slowdown, 1);
+}
+
+TEST(launch, records_what_the_machine_did_meanwhile) {
+  const Record r = launched(small_cell("thread_dynamic", 2));
+  EXPECT_GT(r.state.wall_seconds.value_or(0), 0);
+  EXPECT_GT(r.state.spin_before_seconds.value_or(0), 0);
+  EXPECT_GT(r.state.spin_after_seconds.value_or(0), 0);
+  EXPECT_TRUE(r.state.involuntary_switches);
+}
+
 TEST(launch, what_cannot_afford_the_log_goes_without) {
   Cell cell = small_cell("thread_dynamic", 2);
   cell.item = "tiles:1024";  // one chunk a frame

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "results/tables.h"
+#include "results/tables/tables.h"
 #include "tests/results/make_record.h"
-#include "tests/results/simulated.h"
+#include "tests/results/statistics/simulated.h"
 
 namespace raysweep {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "results/comparison_text.h"
-#include "results/trimmed_mean.h"
-#include "tests/results/simulated.h"
+#include "results/statistics/trimmed_mean.h"
+#include "results/tables/comparison_text.h"
+#include "tests/results/statistics/simulated.h"
 
 namespace raysweep {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "results/frame_tables.h"
+#include "results/tables/frame_tables.h"
 #include "tests/results/make_record.h"
-#include "tests/results/simulated.h"
+#include "tests/results/statistics/simulated.h"
 
 namespace raysweep {
 namespace {

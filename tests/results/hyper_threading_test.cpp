@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results/tables.h"
+#include "results/tables/tables.h"
 #include "tests/results/make_record.h"
 
 namespace raysweep {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "results/run_data.h"
-#include "results/trimmed_mean.h"
+#include "results/statistics/trimmed_mean.h"
 #include "tests/results/make_record.h"
-#include "tests/results/simulated.h"
+#include "tests/results/statistics/simulated.h"
 
 namespace raysweep {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/results/make_record.h"
-#include "tests/results/simulated.h"
+#include "tests/results/statistics/simulated.h"
 
 namespace raysweep {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "results/tables.h"
+#include "results/tables/tables.h"
 #include "tests/results/make_record.h"
 
 namespace raysweep {
@@ -125,6 +125,26 @@ TEST(scaling, fewer_threads_than_asked_are_told) {
   auto records = drifting_run();
   records[2].threads_seen = 1;
   EXPECT_EQ(summarise(records, order, 0.5)[2].notes.front(), "1 of 2 threads ran");
+}
+
+TEST(scaling, more_threads_than_a_quota_allows_are_told) {
+  auto records = drifting_run();
+  for (Record& r : records) r.machine.quota = 1.5;
+  const auto rows = summarise(records, order, 0.5);
+  EXPECT_EQ(rows[2].notes.front(), "more threads than the control group's quota of 1.5 processors");
+  for (const std::string& note : rows[1].notes)
+    EXPECT_EQ(note.find("quota"), std::string::npos) << "one thread fits";
+}
+
+TEST(scaling, the_tax_of_a_scheduler_is_how_much_longer_one_thread_takes_than_none) {
+  const auto rows = summarise(drifting_run(), order, 0.5);
+  const Table data = scaling_data(rows);
+  const auto column =
+      std::ranges::find(data.columns, "scheduler_tax", &Table::Column::title) - data.columns.begin();
+  const auto tax = [&](size_t row) { return data.rows[row][static_cast<size_t>(column)]; };
+  EXPECT_EQ(tax(0), "") << "serial is what it is measured by";
+  EXPECT_NEAR(std::stod(tax(1)), 0.25, 1e-12);
+  EXPECT_EQ(tax(2), "") << "two threads";
 }
 
 TEST(scaling, threads_bound_to_fewer_processors_are_oversubscribed_and_have_no_ceiling) {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "results/tables.h"
+#include "results/tables/tables.h"
 #include "tests/results/make_record.h"
 
 namespace raysweep {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "results/suspicions.h"
-#include "results/tables.h"
+#include "results/tables/tables.h"
 #include "tests/results/make_record.h"
 
 namespace raysweep {

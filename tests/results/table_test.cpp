@@ -1,4 +1,4 @@
-#include "results/table.h"
+#include "results/tables/table.h"
 
 #include <gtest/gtest.h>
 

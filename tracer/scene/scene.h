@@ -87,6 +87,10 @@ struct Scene {
 /// Whether any shape has a material that refracts.
 [[nodiscard]] bool has_transparency(const Scene& scene);
 
+/// A fingerprint of all that a picture of the scene depends on: shapes, materials, lights, camera; names
+/// apart.
+[[nodiscard]] std::string scene_hash(const Scene& scene);
+
 /// The box around all vertices of `mesh`.
 [[nodiscard]] Box<double> bounds_of(const Mesh& mesh);
 

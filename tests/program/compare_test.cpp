@@ -1,0 +1,100 @@
+// `raysweep compare`, as a user and a script call it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.h"
+
+namespace raysweep {
+namespace {
+
+class Compare : public testing::Test {
+ public:
+  TemporaryFolder folder;
+
+  /// A run of small pictures by one thread, `slowdown` planted; its folder.
+  [[nodiscard]] std::string measured(const std::string& name, const std::string& slowdown) const {
+    const std::string config =
+        folder.write(name + ".toml",
+                     "experiment = \"x\"\n[scene]\nname = \"studio\"\n[sweep]\nscheduler = "
+                     "\"thread_static\"\nthreads = 1\nwidth = 48\nheight = 48\n[measure]\nlaunches = "
+                     "7\nmax_launches = 7\nseconds = 0.02\n");
+    EXPECT_EQ(run_program({"run", config, "--out", folder.file(name)}).exit_code, 0);
+    // The planted cell passes for the usual one: as if the program had become slower between the runs.
+    if (slowdown != "0") slow_down(name, std::stod(slowdown));
+    return folder.file(name);
+  }
+
+  /// Makes all frames of thread_static longer.
+  void slow_down(const std::string& name, double share) const {
+    std::istringstream lines(read_file(folder.file(name + "/records.jsonl")));
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+      auto r = nlohmann::json::parse(line);
+      if (r["scheduler"] == "thread_static" && r["twin"] == 0) {
+        for (auto& frame : r["frame_seconds"]) frame = frame.get<double>() * (1 + share);
+      }
+      text += r.dump() + "\n";
+    }
+    (void)folder.write(name + "/records.jsonl", text);
+  }
+};
+
+TEST_F(Compare, a_cell_that_became_far_slower_fails_a_script_and_a_run_against_itself_does_not) {
+  const std::string a = measured("a", "0"), b = measured("b", "9");
+  const ProgramResult slower = run_program({"compare", a, b, "--fail-if-slower", "5%"});
+  EXPECT_EQ(slower.exit_code, 1) << slower.out;
+  EXPECT_NE(slower.out.find("slower in 1 (worst "), std::string::npos) << slower.out;
+  EXPECT_EQ(run_program({"compare", a, b, "--fail-if-slower", "95 %"}).exit_code, 0) << "it is not that slow";
+  EXPECT_EQ(run_program({"compare", b, a, "--fail-if-slower", "0"}).exit_code, 0) << "faster is no failure";
+  const ProgramResult same = run_program({"compare", a, a, "--fail-if-slower", "0", "--json"});
+  EXPECT_EQ(same.exit_code, 0);
+  for (const auto& row : nlohmann::json::parse(same.out)["rows"]) EXPECT_EQ(row["verdict"], "no difference");
+}
+
+TEST_F(Compare, two_cells_of_one_run) {
+  const std::string a = measured("a", "0");
+  slow_down("a", 9);
+  const ProgramResult result = run_program({"compare", a, "--cell", "scheduler=serial", "--cell",
+                                            "scheduler=thread_static", "--fail-if-slower", "0.5"});
+  EXPECT_EQ(result.exit_code, 1) << result.out;
+  EXPECT_NE(result.out.find("slower than serial"), std::string::npos) << result.out;
+}
+
+TEST_F(Compare, what_cannot_be_compared_is_refused) {
+  const std::string a = measured("a", "0");
+  const std::pair<std::vector<std::string>, const char*> wrong[] = {
+      {{a}, "name two runs"},
+      {{a, a, "--cell", "threads=1"}, "name one run, and --cell twice"},
+      {{a, folder.file("none")}, "no run is here"},
+      {{a, a, "--fail-if-slower", "fast"}, "a share from 0 to below 1 is possible, such as 5% or 0.05"},
+      {{a, "--cell", "scheduler=serial", "--cell", "threads=9"},
+       "no cell has threads=9; there is threads = 1"},
+      {{folder.file("x.exr"), folder.file("y.exr")}, "x.exr"}};
+  for (const auto& [arguments, sentence] : wrong) {
+    std::vector<std::string> command{"compare"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const ProgramResult result = run_program(command);
+    EXPECT_EQ(result.exit_code, 2) << sentence;
+    EXPECT_NE(result.err.find(sentence), std::string::npos) << result.err;
+  }
+}
+
+TEST_F(Compare, two_pictures) {
+  const auto render = [&](const char* name, const char* depth) {
+    EXPECT_EQ(run_program({"render", "--scene", "studio", "--width", "32", "--height", "24", "--depth", depth,
+                           "--out", folder.file(name)})
+                  .exit_code,
+              0);
+    return folder.file(name);
+  };
+  const std::string a = render("a.exr", "1"), b = render("b.exr", "4"), again = render("c.exr", "4");
+  const auto different = nlohmann::json::parse(run_program({"compare", a, b, "--json"}).out);
+  EXPECT_GT(different["rmse"], 0);
+  EXPECT_EQ(different["holes"], 0);
+  const ProgramResult same = run_program({"compare", b, again});
+  EXPECT_NE(same.out.find("equal in every bit"), std::string::npos) << same.out;
+}
+
+}  // namespace
+}  // namespace raysweep
