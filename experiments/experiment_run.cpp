@@ -82,6 +82,13 @@ std::vector<const PlannedCell*> ExperimentRun::missing(int round) {
   return list;
 }
 
+bool ExperimentRun::is_unfinished_from(int round) {
+  for (; round < plan().max_rounds; ++round) {
+    if (!missing(round).empty()) return true;
+  }
+  return false;
+}
+
 void ExperimentRun::take(Record record, int round) {
   record.experiment = config().experiment;
   record.launch = report.launches++;

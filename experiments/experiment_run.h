@@ -15,7 +15,7 @@
 namespace raysweep {
 
 /// Why a run ended.
-enum class RunEnd { complete, out_of_budget, interrupted };
+enum class RunEnd { complete, out_of_budget, interrupted, failed };
 
 struct RunReport {
   RunEnd end = RunEnd::complete;
@@ -41,6 +41,9 @@ class ExperimentRun {
   /// earlier rounds alone, so that a resumed run goes on as an undisturbed one would have.
   [[nodiscard]] std::vector<const PlannedCell*> missing(int round);
 
+  /// Whether `round` or a later one lacks a launch, as far as today's records tell.
+  [[nodiscard]] bool is_unfinished_from(int round);
+
   /// Writes the record of one launch of this round down, as this experiment's own.
   void take(Record record, int round);
 
@@ -57,10 +60,6 @@ class ExperimentRun {
   RunReport report;
 
  private:
-  struct Launched {
-    std::map<int, double> fps;  // by round; of valid launches
-  };
-
   [[nodiscard]] bool needs_more(const PlannedCell& planned, int look) const;
   void find_participants(int look);
 

@@ -53,6 +53,7 @@ LaunchOutcome corun(const Cell& cell, double seconds, double deadline) {
   for (auto& child : children) {
     LaunchOutcome one = outcome_of(*child, deadline);
     if (!one.record) return one;
+    if (!one.record->valid) return {std::nullopt, one.record->reason, false};
     if (!all.record) {
       all = std::move(one);
     } else if (one.record->image_hash != all.record->image_hash) {

@@ -26,6 +26,11 @@ class Planner {
     corun.processes = std::min(cell.threads, machine_.pus);
     std::vector<std::string> bases{add(serial, false), add(one, false)};
     if (corun.processes > 1) bases.push_back(add(corun, false));
+    if (cell.slowdown > 0) {
+      Cell original = cell;
+      original.slowdown = 0;
+      bases.push_back(add(original, false));
+    }
     const std::string key = add(cell, true);
     std::erase(bases, key);  // the serial cell is its own base
     std::ranges::find(plan_.cells, key, &PlannedCell::key)->bases = std::move(bases);
@@ -34,7 +39,9 @@ class Planner {
   /// Two threads that wait for each other feel more of the machine's noise than one: the twins are of the
   /// cell with the most threads that has a processor for each.
   void add_twins(int count) {
-    const auto rank = [&](const Cell& cell) { return cell.threads <= machine_.pus ? cell.threads : 0; };
+    const auto rank = [&](const Cell& cell) {
+      return std::pair(cell.slowdown == 0, cell.threads <= machine_.pus ? cell.threads : 0);
+    };
     const PlannedCell* most = nullptr;
     for (const PlannedCell& planned : plan_.cells) {
       if (planned.asked && (!most || rank(planned.cell) > rank(most->cell))) most = &planned;

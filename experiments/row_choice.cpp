@@ -39,13 +39,26 @@ std::string differences(const std::vector<const CellRow*>& rows) {
   return text;
 }
 
+/// "a=1,b=0,2" has the conditions "a=1" and "b=0,2": lists of processors hold commas, too.
+std::vector<std::string> conditions_of(const std::string& text) {
+  std::vector<std::string> conditions;
+  std::istringstream pieces(text);
+  for (std::string piece; std::getline(pieces, piece, ',');) {
+    if (piece.find('=') == std::string::npos && !conditions.empty()) {
+      conditions.back() += "," + piece;
+    } else {
+      conditions.push_back(piece);
+    }
+  }
+  return conditions;
+}
+
 }  // namespace
 
 const CellRow& choose_row(const std::vector<CellRow>& rows, const std::string& text) {
   std::vector<const CellRow*> left;
   for (const CellRow& row : rows) left.push_back(&row);
-  std::istringstream conditions(text);
-  for (std::string condition; std::getline(conditions, condition, ',');) {
+  for (const std::string& condition : conditions_of(text)) {
     const size_t equals = condition.find('=');
     if (equals == std::string::npos) {
       throw RequestError(

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 /// All of it or nothing, whenever we die.
 void write_whole(const fs::path& file, const std::string& text) {
   const fs::path part = file.string() + ".part";
+  errno = ENOSPC;  // what a write means that takes less than it was given, without saying so
   const FileDescriptor out(open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   const bool written = out.is_open() &&
                        write(out.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
@@ -88,7 +89,7 @@ void RunFolder::lock() {
 
 void RunFolder::take_up(const Config& config, const Plan& plan, const Machine& machine, bool resume) {
   const fs::path records = path_ / "records.jsonl";
-  if (!fs::exists(records)) return;
+  if (!fs::exists(records) || fs::file_size(records) == 0) return;
   if (!resume) {
     throw RequestError(
         fmt::format("{}: holds a run already; go on with it by --resume, or choose another folder with --out",
@@ -100,10 +101,18 @@ void RunFolder::take_up(const Config& config, const Plan& plan, const Machine& m
   const auto old_machine = parse("machine.json"), new_machine = to_json(machine);
   const bool same_machine = old_machine.is_object() && old_machine.value("host", "") == new_machine["host"] &&
                             old_machine.value("cpu", "") == new_machine["cpu"];
+  const bool same_program =
+      old_machine.is_object() && old_machine.value("build", nlohmann::json()) == new_machine["build"];
   if (read_whole(path_ / "config.toml") != config.text || parse("plan.json") != to_json(plan) ||
       !same_machine) {
     throw RequestError(fmt::format(
         "{}: was made from another config or on another machine; --resume goes on with the same ones only",
+        path_.string()));
+  }
+  if (!same_program) {
+    throw RequestError(fmt::format(
+        "{}: was made by another build of raysweep (machine.json tells which); a table must not mix them: "
+        "measure anew, into another folder, and use `raysweep compare`",
         path_.string()));
   }
   drop_unfinished_line(records);
@@ -117,6 +126,7 @@ void RunFolder::take_up(const Config& config, const Plan& plan, const Machine& m
 void RunFolder::append(const Record& record) {
   const std::string line = to_line(record) + "\n";
   const off_t before = lseek(file_.get(), 0, SEEK_END);
+  errno = ENOSPC;  // as above
   const ssize_t written = write(file_.get(), line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size()) && fdatasync(file_.get()) == 0) {
     records_.push_back(record);

@@ -47,38 +47,49 @@ Record void_record(const Cell& cell, const std::string& reason) {
   return r;
 }
 
+/// A cell, and for how long its frames are timed: launches of other lengths are others.
+using LaunchKey = std::pair<std::string, double>;
+
 class Runner {
  public:
   Runner(const std::vector<Experiment>& experiments, const Machine& machine, const RunnerTools& tools)
       : machine_(machine), tools_(tools), start_(tools.now()) {
     for (const Experiment& experiment : experiments) {
       runs_.push_back(std::make_unique<ExperimentRun>(experiment));
-      budget_ += experiment.config.measure.budget_seconds;
+      const Measure& measure = experiment.config.measure;
+      budget_ += measure.budget_seconds;
+      for (const PlannedCell& planned : experiment.plan.cells) {
+        int& rounds = first_rounds_[{planned.key, measure.seconds}];
+        rounds = std::max(rounds, experiment.plan.rounds);
+      }
     }
   }
 
-  std::vector<RunReport> run() {
-    int last_round = 0;
+  RunOutcome run() {
+    int last_round = 0, round = 0;
     for (const auto& run : runs_) last_round = std::max(last_round, run->plan().max_rounds);
     Progress progress("launches", start_, budget_, tools_.quiet);
     RunEnd end = RunEnd::complete;
-    for (int round = 0; round < last_round && end == RunEnd::complete; ++round) {
-      end = run_round(round, progress);
-      if (end != RunEnd::complete) stop(end, round);
+    RunOutcome outcome;
+    try {
+      while (round < last_round && (end = run_round(round, progress)) == RunEnd::complete) round++;
+    } catch (const WorkError& error) {
+      outcome.failure = error.what();
+      end = RunEnd::failed;
     }
-    std::vector<RunReport> reports;
-    for (const auto& run : runs_) reports.push_back(run->report);
-    return reports;
+    for (const auto& run : runs_) {
+      if (end != RunEnd::complete && run->is_unfinished_from(round)) run->report.end = end;
+      outcome.reports.push_back(run->report);
+    }
+    return outcome;
   }
 
  private:
   RunEnd run_round(int round, Progress& progress) {
     const std::vector<Turn> turns = turns_of(round);
     int total = launched_ + static_cast<int>(turns.size());
-    for (const auto& run : runs_) {
-      // What comes after the rounds in which all take part is not known yet.
-      total += std::max(0, run->plan().rounds - round - 1) * static_cast<int>(run->plan().cells.size());
-    }
+    // What comes after the rounds in which all take part is not known yet.
+    for (const auto& [launch, rounds] : first_rounds_) total += std::max(0, rounds - round - 1);
     for (const Turn& turn : turns) {
       const double now = tools_.now();
       if (now - start_ >= budget_) return RunEnd::out_of_budget;
@@ -104,15 +115,8 @@ class Runner {
                        short_name(widest->planned->cell));
   }
 
-  /// Tells those of whose launches some are left, in this round or the next.
-  void stop(RunEnd end, int round) {
-    for (const auto& run : runs_) {
-      if (!run->missing(round).empty() || !run->missing(round + 1).empty()) run->report.end = end;
-    }
-  }
-
   std::vector<Turn> turns_of(int round) {
-    std::map<std::pair<std::string, double>, Turn> turns;  // launches of other lengths are others
+    std::map<LaunchKey, Turn> turns;
     for (const auto& run : runs_) {
       for (const PlannedCell* const planned : run->missing(round)) {
         Turn& turn = turns[{planned->key, run->config().measure.seconds}];
@@ -126,12 +130,23 @@ class Runner {
     return order;
   }
 
-  /// The serial picture of `cell`, rendered once; null when interrupted.
-  const Reference* reference(const Cell& cell, const Measure& measure) {
+  /// The longest that an experiment of this turn allows; one that does not say allows `otherwise`.
+  static double timeout_of(const Turn& turn, double otherwise) {
+    double longest = 0;
+    for (const ExperimentRun* const run : turn.runs) {
+      const double own = run->config().measure.timeout_seconds;
+      longest = std::max(longest, own > 0 ? own : otherwise);
+    }
+    return longest;
+  }
+
+  /// The serial picture of the turn's cell, rendered once; null when interrupted.
+  const Reference* reference(const Turn& turn) {
+    const Cell& cell = turn.planned->cell;
     const std::string key = cell.picture_key();
     if (const auto known = references_.find(key); known != references_.end()) return &known->second;
     // How long it takes is not known yet; what takes longer than all there is cannot be measured anyway.
-    const double timeout = measure.timeout_seconds > 0 ? measure.timeout_seconds : std::max(budget_, 60.0);
+    const double timeout = timeout_of(turn, std::max(budget_, 60.0));
     const double begin = tools_.now();
     LaunchOutcome outcome = tools_.launcher.picture(serial_cell(cell), timeout);
     if (outcome.interrupted) return nullptr;
@@ -145,14 +160,13 @@ class Runner {
   /// One launch, verified and written down. False when interrupted.
   bool take(const Turn& turn, int round) {
     const Cell& cell = turn.planned->cell;
-    const Measure& measure = turn.runs.front()->config().measure;
-    const Reference* const serial = reference(cell, measure);
+    const double seconds = turn.runs.front()->config().measure.seconds;  // all have the same
+    const Reference* const serial = reference(turn);
     if (!serial) return false;
-    const double timeout =
-        measure.timeout_seconds > 0 ? measure.timeout_seconds : default_timeout(cell, serial->seconds);
+    const double timeout = timeout_of(turn, default_timeout(cell, seconds, serial->seconds));
     const MachineRecord machine = machine_record(machine_);
     const double begin = tools_.now();
-    LaunchOutcome outcome = tools_.launcher.launch(cell, measure.seconds, timeout);
+    LaunchOutcome outcome = tools_.launcher.launch(cell, seconds, timeout);
     if (outcome.interrupted) return false;
     Record record = outcome.record ? std::move(*outcome.record) : void_record(cell, outcome.failure);
     verify(record, serial->record);
@@ -166,6 +180,7 @@ class Runner {
   const RunnerTools& tools_;
   const double start_;
   double budget_ = 0;
+  std::map<LaunchKey, int> first_rounds_;
   std::vector<std::unique_ptr<ExperimentRun>> runs_;
   std::map<std::string, Reference> references_;
   int launched_ = 0;
@@ -174,15 +189,15 @@ class Runner {
 
 }  // namespace
 
-double default_timeout(const Cell& cell, double picture_seconds) {
-  // A picture is one cold frame; a launch warms up for two or three, times one or more for a fraction of a
-  // second, and measures items: below ten pictures on a quiet machine.
-  constexpr double pictures = 20, least = 60;
-  return least + pictures * picture_seconds * cell.processes * (1 + cell.slowdown);
+double default_timeout(const Cell& cell, double seconds, double picture_seconds) {
+  // A picture is one cold frame; a launch warms up for two or three, times one or more, and serial ones time
+  // their items as long again: below ten pictures and twice the seconds on a quiet machine.
+  constexpr double pictures = 20, timed = 4, least = 60;
+  return least + (pictures * picture_seconds + timed * seconds) * cell.processes * (1 + cell.slowdown);
 }
 
-std::vector<RunReport> run_experiments(const std::vector<Experiment>& experiments, const Machine& machine,
-                                       const RunnerTools& tools) {
+RunOutcome run_experiments(const std::vector<Experiment>& experiments, const Machine& machine,
+                           const RunnerTools& tools) {
   return Runner(experiments, machine, tools).run();
 }
 

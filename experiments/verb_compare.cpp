@@ -88,15 +88,19 @@ int run(const CompareOptions& options, bool as_json) {
   } else {
     fmt::print("{}", to_text(comparison_table(comparison)));
   }
+  if (options.fail_if_slower.empty()) return exit_done;
+  if (const std::string unanswered = comparison.unanswered(); !unanswered.empty()) {
+    fmt::print(stderr, "raysweep: --fail-if-slower cannot be answered: {}\n", unanswered);
+    return exit_failed;
+  }
   return comparison.slower_than(share) ? exit_failed : exit_done;
 }
 
 }  // namespace
 
 void add_compare(CommandLine& line) {
-  CLI::App* const verb =
-      add_verb(line, "compare",
-               "two runs, or two cells of one, with a verdict that noise cannot fake; or two pictures");
+  CLI::App* const verb = add_verb(
+      line, "compare", "two runs, or two cells of one, with intervals and a plain verdict; or two pictures");
   static CompareOptions options;
   verb->add_option("what", options.what,
                    "two folders of runs, A and B; one and --cell twice; or two .exr files")
@@ -105,8 +109,10 @@ void add_compare(CommandLine& line) {
   verb->add_option("--cell", options.cells, "FACTOR=VALUE,…: a cell of the run; the second against the first")
       ->take_all()
       ->expected(1);
-  verb->add_option("--fail-if-slower", options.fail_if_slower,
-                   "exit code 1 if a cell of B is shown to be slower by more than this, such as 5%");
+  verb->add_option(
+      "--fail-if-slower", options.fail_if_slower,
+      "exit code 1 if a cell of B is shown to be slower, by more than this at best guess, such as "
+      "5%; or if a cell of A cannot be compared");
   verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 

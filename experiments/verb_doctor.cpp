@@ -25,7 +25,7 @@ void compare_with_itself(Examination& examination, int processors, int pairs) {
   ProcessLauncher launcher;
   const SelfComparison comparison =
       compare_with_itself(self_comparison_cell(processors), pairs, launch_seconds, launcher);
-  examination.noise = noise_floor(comparison.log_ratios, noise_launches);
+  if (comparison.failure.empty()) examination.noise = noise_floor(comparison.log_ratios, noise_launches);
   examination.noise_unknown = pairs == 0                    ? "not asked for (--pairs)"
                               : !comparison.failure.empty() ? comparison.failure
                                                             : examination.noise.to_text();

@@ -50,21 +50,22 @@ void print_plan(const Config& config, const Plan& plan) {
     fmt::print("{}{}\n", planned.key, planned.asked ? "" : planned.cell.twin > 0 ? "  (twin)" : "  (base)");
 }
 
-std::string advice(const RunReport& report, const Experiment& experiment) {
+std::string advice(const RunReport& report, const Experiment& experiment, double budget_seconds) {
   const auto& [config, plan, folder] = experiment;
   switch (report.end) {
     case RunEnd::complete:
       return {};
     case RunEnd::out_of_budget:
       return fmt::format(
-          "{}: the budget of {:.0f} s was used up after {} of {} rounds, or of {} for what does not "
-          "converge; "
-          "--budget gives more, --resume --out {} goes on.",
-          config.experiment, config.measure.budget_seconds, report.whole_rounds, plan.rounds, plan.max_rounds,
+          "{}: the budget of {:.0f} s was used up after {} rounds ({} are the least, {} the most, for what "
+          "does not converge); --budget gives more, --resume --out {} goes on.",
+          config.experiment, budget_seconds, report.whole_rounds, plan.rounds, plan.max_rounds,
           folder->path().string());
     case RunEnd::interrupted:
-      return fmt::format("{}: interrupted: {} finished launches are kept; go on with --resume --out {}.",
-                         config.experiment, report.launches, folder->path().string());
+    case RunEnd::failed:
+      return fmt::format("{}: {}: {} finished launches are kept; go on with --resume --out {}.",
+                         config.experiment, report.end == RunEnd::failed ? "failed" : "interrupted",
+                         report.launches, folder->path().string());
   }
   return {};
 }
@@ -77,18 +78,8 @@ nlohmann::json describe(const Experiment& experiment, const RunReport& report, c
           {"rows", rows_as_json(data.rows, data.context.floor)}};
 }
 
-/// The reports of a run, or why it failed: what was measured before is told all the same.
-std::pair<std::vector<RunReport>, std::string> run_or_fail(const std::vector<Experiment>& experiments,
-                                                           const Machine& machine, const RunnerTools& tools) {
-  try {
-    return {run_experiments(experiments, machine, tools), {}};
-  } catch (const WorkError& error) {
-    return {std::vector<RunReport>(experiments.size()), error.what()};
-  }
-}
-
 /// On standard output the tables of one experiment, or a document in `json`. The exit code.
-int tell(const Experiment& experiment, const RunReport& report, nlohmann::json* json) {
+int tell(const Experiment& experiment, const RunReport& report, double budget_seconds, nlohmann::json* json) {
   const RunData data = read_run(experiment.folder->path());
   if (json) {
     json->push_back(describe(experiment, report, data));
@@ -100,29 +91,36 @@ int tell(const Experiment& experiment, const RunReport& report, nlohmann::json* 
     fmt::print(stderr, "{}: {} of {} launches void; the first: {}\n", experiment.config.experiment,
                report.void_launches, report.launches, report.first_void);
   }
-  const std::string text = advice(report, experiment);
+  const std::string text = advice(report, experiment, budget_seconds);
   if (!text.empty()) fmt::print(stderr, "{}\n", text);
-  write_tables(data.rows, data.context, experiment.folder->path() / "tables");
-  if (report.end == RunEnd::interrupted) return exit_interrupted;
-  return report.void_launches > 0 ? exit_failed : exit_done;
+  int code = report.void_launches > 0 || report.end == RunEnd::failed ? exit_failed : exit_done;
+  try {
+    write_tables(data.rows, data.context, experiment.folder->path() / "tables");
+  } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
+    fmt::print(stderr, "raysweep: {}\n", error.what());
+    code = exit_failed;
+  }
+  return report.end == RunEnd::interrupted ? exit_interrupted : code;
 }
 
 /// Runs, then tells. The exit code.
 int run_all(const std::vector<Experiment>& experiments, const Machine& machine, nlohmann::json* json) {
+  double budget = 0;
+  for (const Experiment& experiment : experiments) budget += experiment.config.measure.budget_seconds;
   for (const auto& [config, plan, folder] : experiments) {
     if (json) break;
-    fmt::print(stderr, "{}: {} cells in {} rounds or more, at most {:.0f} s; records go to {}\n",
-               config.experiment, plan.cells.size(), plan.rounds, config.measure.budget_seconds,
-               folder->path().string());
+    fmt::print(stderr, "{}: {} cells in {} rounds or more, at most {:.0f} s{}; records go to {}\n",
+               config.experiment, plan.cells.size(), plan.rounds, budget,
+               experiments.size() > 1 ? " for all experiments" : "", folder->path().string());
   }
   ProcessLauncher launcher;
-  const auto [reports, failure] = run_or_fail(experiments, machine, {launcher, now_seconds, json != nullptr});
+  const auto [reports, failure] =
+      run_experiments(experiments, machine, {launcher, now_seconds, json != nullptr});
+  if (!failure.empty()) fmt::print(stderr, "raysweep: {}\n", failure);
   int worst = exit_done;
   for (size_t i = 0; i < experiments.size(); ++i)
-    worst = std::max(worst, tell(experiments[i], reports[i], json));
-  if (failure.empty()) return worst;
-  fmt::print(stderr, "raysweep: {}\n", failure);
-  return exit_failed;
+    worst = std::max(worst, tell(experiments[i], reports[i], budget, json));
+  return failure.empty() ? worst : exit_failed;
 }
 
 std::vector<Config> read_configs(const RunOptions& options, const Machine& machine) {
@@ -136,6 +134,14 @@ std::vector<Config> read_configs(const RunOptions& options, const Machine& machi
     }
   }
   if (!errors.empty()) throw RequestError(errors);
+  for (const Config& config : configs) {
+    // What several have is launched once for all, at one place in a round.
+    if (config.measure.seed == configs.front().measure.seed) continue;
+    throw RequestError(
+        fmt::format("{}: its seed is {}, that of {} is {}; experiments that run together need one: "
+                    "give it by --seed",
+                    config.file, config.measure.seed, configs.front().file, configs.front().measure.seed));
+  }
   std::set<std::string> names;
   for (const Config& config : configs) {
     if (!names.insert(config.experiment).second) {
@@ -157,7 +163,8 @@ std::vector<Experiment> prepare(std::vector<Config> configs, const RunOptions& o
   for (Experiment& p : list) {
     std::filesystem::path out =
         options.out.empty() ? default_folder(p.config) : std::filesystem::path(options.out);
-    if (!options.out.empty() && list.size() > 1) out /= p.config.experiment;
+    // By what was asked for: an experiment that this machine cannot answer must not move the others.
+    if (!options.out.empty() && options.configs.size() > 1) out /= p.config.experiment;
     p.folder = std::make_unique<RunFolder>(out, p.config, p.plan, machine, options.resume);
   }
   return list;
@@ -176,16 +183,18 @@ void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohman
     budget += config.measure.budget_seconds;
   }
   ProcessLauncher launcher;
-  const TimeEstimate estimate = estimate_time(configs, plans, machine.size(), {launcher, now_seconds, true});
+  const RunnerTools tools{launcher, now_seconds, true};
   for (size_t i = 0; i < configs.size(); ++i) {
     if (json) {
       json->push_back(to_json(plans[i]));
-      json->back()["estimate_seconds"] = estimate.first_rounds;
+      json->back()["estimate_seconds"] =
+          estimate_time({configs[i]}, {plans[i]}, machine.size(), tools).first_rounds;
     } else {
       print_plan(configs[i], plans[i]);
     }
   }
   if (json || configs.empty()) return;
+  const TimeEstimate estimate = estimate_time(configs, plans, machine.size(), tools);
   fmt::print("About {} for the first rounds of {}, up to {} if nothing converges before; the budget is {}.\n",
              minutes(estimate.first_rounds), configs.size() > 1 ? "all experiments" : "all cells",
              minutes(estimate.all_rounds), minutes(budget));
@@ -208,8 +217,8 @@ int run(const RunOptions& options, bool as_json) {
     if (as_json) fmt::print("{}\n", json.dump(1));
     return exit_done;
   }
-  const std::vector<Experiment> list = prepare(std::move(configs), options, machine);
   catch_interrupts();
+  const std::vector<Experiment> list = prepare(std::move(configs), options, machine);
   const int code = run_all(list, machine, as_json ? &json : nullptr);
   if (as_json) fmt::print("{}\n", json.dump(1));
   return code;
@@ -225,7 +234,8 @@ void add_run(CommandLine& line) {
   verb->add_option("--out", options.out, "folder of the run (default: results/runs/EXPERIMENT-TIME)");
   verb->add_flag("--resume", options.resume, "go on with the run in --out");
   verb->add_flag("--dry-run", options.dry_run, "print the cells and how long they would take; write nothing");
-  verb->add_option("--budget", options.budget_minutes, "minutes for each experiment")
+  verb->add_option("--budget", options.budget_minutes,
+                   "minutes for each experiment; those that run together share the sum")
       ->check(CLI::PositiveNumber);
   verb->add_option("--seed", options.seed, "seed of the launches' order");
   verb->add_option("--set", options.overrides,

@@ -83,7 +83,7 @@ std::vector<PairSlowdown> probe(const TopologyOptions& options, const Topology& 
 }
 
 nlohmann::json to_json(const std::vector<PairSlowdown>& pairs, const Topology& topology) {
-  nlohmann::json json{{"disagreements", disagreements(pairs, topology)}};
+  nlohmann::json json{{"disagreements", disagreements(pairs, topology)}, {"pairs", nlohmann::json::array()}};
   for (const PairSlowdown& pair : pairs)
     json["pairs"].push_back({{"processors", {pair.first, pair.second}}, {"slowdown", pair.slowdown}});
   return json;
@@ -94,6 +94,7 @@ void print(const std::vector<PairSlowdown>& pairs, const Topology& topology) {
   fmt::print("\n");
   for (const std::string& sentence : sentences) fmt::print("{}\n", sentence);
   const auto worst = std::ranges::max_element(pairs, {}, &PairSlowdown::slowdown);
+  if (pairs.empty()) fmt::print("no pair of processors to probe\n");
   if (sentences.empty() && worst != pairs.end()) {
     fmt::print(
         "probed {} pairs of processors: which share a core is as the topology says; at worst a pair takes "

@@ -25,6 +25,19 @@ std::string group_key(const Record& r) {
 
 using Group = std::vector<size_t>;  // numbers of rows, the best one first
 
+/// The median of the rounds that all rows of the group share: medians of others may be of better times.
+std::map<size_t, double> medians_of(const std::vector<CellRow>& rows, const Group& group) {
+  std::map<size_t, std::vector<double>> shared;
+  for (const auto& [round, fps] : rows[group.front()].fps_by_round) {
+    const auto has_round = [&](size_t i) { return rows[i].fps_by_round.contains(round); };
+    if (!std::ranges::all_of(group, has_round)) continue;
+    for (const size_t i : group) shared[i].push_back(rows[i].fps_by_round.at(round));
+  }
+  std::map<size_t, double> medians;
+  for (const size_t i : group) medians[i] = shared[i].empty() ? rows[i].fps->value : median(shared[i]);
+  return medians;
+}
+
 std::vector<Group> groups_of(const std::vector<CellRow>& rows) {
   std::map<std::string, Group> by_key;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -33,7 +46,8 @@ std::vector<Group> groups_of(const std::vector<CellRow>& rows) {
   std::vector<Group> groups;
   for (auto& [key, group] : by_key) {
     if (group.size() < 2) continue;
-    std::ranges::stable_sort(group, std::greater(), [&](size_t i) { return rows[i].fps->value; });
+    const auto medians = medians_of(rows, group);
+    std::ranges::stable_sort(group, std::greater(), [&](size_t i) { return medians.at(i); });
     groups.push_back(std::move(group));
   }
   return groups;
@@ -78,19 +92,14 @@ std::string Standing::to_text(const NoiseFloor& floor) const {
 Standings against_the_best(const std::vector<CellRow>& rows, const NoiseFloor& floor) {
   const auto groups = groups_of(rows);
   Standings standings{std::vector<Standing>(rows.size()), 0};
-  for (const Group& group : groups) standings.comparisons += group.size() * (group.size() - 1) / 2;
-  const double confidence = simultaneous_confidence(standings.comparisons);
-  std::vector<std::optional<Change>> changes;
   for (const Group& group : groups) {
-    for (auto& change : compare_pairs(rows, group, confidence)) changes.push_back(change);
-  }
-  std::vector<double> p;
-  for (const auto& change : changes) p.push_back(change ? change->p : 1);
-  const auto adjusted = holm(p);
-  size_t first = 0;
-  for (const Group& group : groups) {
-    place(group, &changes[first], &adjusted[first], floor, standings.rows);
-    first += group.size() * (group.size() - 1) / 2;
+    const size_t pairs = group.size() * (group.size() - 1) / 2;
+    standings.comparisons = std::max(standings.comparisons, pairs);
+    const auto changes = compare_pairs(rows, group, simultaneous_confidence(pairs));
+    std::vector<double> p;
+    for (const auto& change : changes) p.push_back(change ? change->p : 1);
+    const auto adjusted = holm(p);
+    place(group, changes.data(), adjusted.data(), floor, standings.rows);
   }
   return standings;
 }

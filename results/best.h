@@ -24,11 +24,11 @@ struct Standing {
 
 struct Standings {
   std::vector<Standing> rows;  // one a row, in their order
-  size_t comparisons = 0;      // that intervals and p are corrected for
+  size_t comparisons = 0;      // that intervals and p of the largest group are corrected for
 };
 
 /// Groups are rows with the same picture, tracer and threads; what hands out the work differs (scheduler,
-/// runtime, item, order, chunk, pin, wait policy, …). Intervals are corrected for all pairs of all groups,
+/// runtime, item, order, chunk, pin, wait policy, …). Intervals are corrected for all pairs of a group,
 /// not only those with the best: which one is the best was read from the same launches. Corrected for the
 /// comparisons with the best alone, equal cells would show a difference in 7 runs of 100 (6 cells, 7
 /// launches) to 17 (27 cells, 28 launches); corrected for all pairs, in 1 to 3 (simulated, normal fps).

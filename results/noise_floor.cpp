@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -41,7 +43,10 @@ NoiseFloor noise_floor(const std::vector<double>& log_ratios, int launches, uint
     for (double& d : drawn) d = random.sign() * log_ratios[random.index(log_ratios.size())];
     effects.push_back(std::abs(trimmed_mean(drawn).mean));
   }
-  floor.log_ratio = quantile(std::move(effects), 0.95);
+  // Few pairs know the noise only roughly, as Student's distribution has it.
+  const boost::math::students_t student(floor.pairs - 1.0);
+  const double wider = quantile(student, 0.975) / quantile(boost::math::normal(), 0.975);
+  floor.log_ratio = wider * quantile(std::move(effects), 0.95);
   return floor;
 }
 
@@ -67,7 +72,8 @@ NoiseFloor noise_floor(const std::vector<Record>& records) {
   for (const auto& [cell, count] : launches) {
     if (count >= fewest_pairs) fewest = std::min(fewest, count);
   }
-  return noise_floor(twin_log_ratios(records), launches.empty() ? 0 : fewest);
+  const bool any = fewest < std::numeric_limits<int>::max();
+  return noise_floor(twin_log_ratios(records), any ? fewest : 0);
 }
 
 }  // namespace raysweep

@@ -22,7 +22,8 @@ struct NoiseFloor {
 
 /// The effect that comparing a cell with itself by the trimmed mean of `launches` pairs stays under 95 times
 /// of 100. Pairs of the size asked for are drawn from `log_ratios`, each with a random sign (which of two
-/// equal launches is the first is chance), 10,000 times. Unknown below 6 pairs.
+/// equal launches is the first is chance), 10,000 times; the fewer pairs there are to draw from, the wider,
+/// by Student's quantile over the normal one. Unknown below 6 pairs.
 [[nodiscard]] NoiseFloor noise_floor(const std::vector<double>& log_ratios, int launches, uint64_t seed = 1);
 
 /// Log ratios of fps of the first twins in a run, each against the launch of its cell in the same round.

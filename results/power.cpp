@@ -23,15 +23,27 @@ struct Study {
   std::map<double, std::map<int, const Record*>> slowed;  // by planted slowdown
 };
 
+/// Where `r` belongs; null: nowhere.
+std::map<int, const Record*>* list_of(Study& study, const Record& r) {
+  if (r.slowdown > 0) return r.twin == 0 ? &study.slowed[r.slowdown] : nullptr;
+  switch (r.twin) {
+    case 0:
+      return &study.base;
+    case 1:
+      return &study.first_twin;
+    case 2:
+      return &study.second_twin;
+    default:
+      return nullptr;
+  }
+}
+
 std::optional<Study> find_study(const std::vector<Record>& records) {
   std::map<std::string, Study> studies;
   for (const Record& r : records) {
     if (!r.valid || r.processes > 1) continue;
     Study& study = studies[original_key(r)];
-    (r.slowdown > 0 ? study.slowed[r.slowdown]
-     : r.twin == 0  ? study.base
-     : r.twin == 1  ? study.first_twin
-                    : study.second_twin)[r.round] = &r;
+    if (auto* const list = list_of(study, r)) (*list)[r.round] = &r;
   }
   for (auto& [key, study] : studies) {
     if (!study.second_twin.empty() && !study.slowed.empty()) return std::move(study);
@@ -60,12 +72,17 @@ Block block_of(const std::map<int, const Record*>& own, const std::map<int, cons
 Power power_of(const Study& study, int launches, int rounds) {
   Power power{launches, 0, 0, {{0, 0, 0}}};
   for (const auto& [planted, cells] : study.slowed) power.detections.push_back({planted, 0, 0});
-  std::vector<double> floors, seconds;
+  std::vector<NoiseFloor> floors;
+  std::vector<double> seconds;
   for (int begin = 0; begin + launches <= rounds; begin += launches) {
     const Block twins = block_of(study.first_twin, study.base, begin, begin + launches);
-    const NoiseFloor floor = noise_floor(twins.log_ratios, launches);
-    floors.push_back(std::expm1(floor.log_ratio.value_or(0)));
+    floors.push_back(noise_floor(twins.log_ratios, launches));
     seconds.push_back(3 * twins.seconds);
+  }
+  for (size_t i = 0; i < floors.size(); ++i) {
+    // The floor of the block before: one from launches that are compared would be high where they differ.
+    const NoiseFloor& floor = floors[(i + floors.size() - 1) % floors.size()];
+    const int begin = static_cast<int>(i) * launches;
     for (Detection& detection : power.detections) {
       const auto& cell = detection.planted > 0 ? study.slowed.at(detection.planted) : study.second_twin;
       const Verdict verdict =
@@ -74,7 +91,9 @@ Power power_of(const Study& study, int launches, int rounds) {
       detection.found += verdict == Verdict::slower || (detection.planted == 0 && verdict == Verdict::faster);
     }
   }
-  power.noise_floor = median(std::move(floors));
+  std::vector<double> known;
+  for (const NoiseFloor& floor : floors) known.push_back(std::expm1(floor.log_ratio.value_or(0)));
+  power.noise_floor = median(std::move(known));
   power.measuring_seconds = median(std::move(seconds));
   return power;
 }

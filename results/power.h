@@ -28,9 +28,11 @@ struct Power {
   std::vector<Detection> detections;  // by rising planted slowdown
 };
 
-/// For 7, 14, 28, … launches, as long as the rounds suffice for 20 comparisons. Each comparison sees only the
-/// launches of its own rounds, as a run of that length would: its noise floor is told by the first twin
-/// there. Empty unless some cell of the run has two twins and planted slowdowns.
+/// For 7, 14, 28, … launches, as long as the rounds suffice for 20 comparisons. Each comparison is one
+/// alone, not corrected for others, of the launches of its own rounds, as a run of that length would have
+/// them; its noise floor is told by the first twin in the rounds before, as that of launches that are
+/// themselves compared would be high just where they differ. Empty unless some cell of the run has two twins
+/// and planted slowdowns.
 [[nodiscard]] std::vector<Power> detection_power(const std::vector<Record>& records);
 
 /// For people; the last line of the caption says what was found reliably, which is 80 times of 100.

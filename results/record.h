@@ -16,8 +16,8 @@ namespace raysweep {
 /// Older schemas are still read. 2 adds pixel_tolerance, branches and left_out; 3 what schedulers did: order,
 /// wait_policy, spin_count, environment, library (which `runtime` held before), cores_seen, chunk_sizes,
 /// item_seconds, empty_region_seconds, shares_cache_lines, imbalance,
-/// log_share, and the workers' times; 4 what the machine did meanwhile: state, launch_seconds, warm; and twin
-/// and slowdown.
+/// log_share, and the workers' times; 4 what the machine did meanwhile: state, launch_seconds, warm; twin
+/// and slowdown; scene_hash and config_hash; the machine's quota.
 inline constexpr int record_schema = 4, oldest_record_schema = 1;
 
 /// What one worker did during the timed frames. The times add up to those of the frames; they and the
@@ -113,11 +113,11 @@ struct Record {
 
   /// Frames a second: frames / total time, summed over processes.
   [[nodiscard]] double fps() const;
-  /// Whether each thread is bound to a processor.
   /// Processors that its threads could use: all, or those that they were bound to.
   [[nodiscard]] int processors_to_use() const {
     return is_bound() && processors_seen > 0 ? processors_seen : machine.pus;
   }
+  /// Whether each thread is bound to a processor.
   [[nodiscard]] bool is_bound() const { return pin != "none" && pin != "-"; }
 };
 

@@ -13,6 +13,14 @@ namespace {
 /// Factors that the serial scheduler has no use for.
 const std::set<std::string> only_of_threads{"runtime", "pin", "wait_policy", "spin_count", "environment"};
 
+/// Schemas 1 and 2 name the default where schedulers that have no use for a factor have "-" today.
+std::string usual_text(const FactorText& factor, const Record& r) {
+  static const std::set<std::string> of_runtimes{"wait_policy", "spin_count", "environment"};
+  std::string text = factor.text(r);
+  const bool is_usual = of_runtimes.contains(factor.name) && (text.empty() || text == "default");
+  return is_usual ? "-" : text;
+}
+
 /// What sets a cell apart from those that it is compared with.
 struct Variant {
   std::string scheduler, chunk;
@@ -35,7 +43,7 @@ std::string key_of(const Record& r, const Variant& v) {
                   : factor.name == "slowdown"                            ? fmt::format("{}", v.slowdown)
                   : serial && factor.name == "order" && r.order == "lpt" ? "scanline"
                   : serial && only_of_threads.contains(factor.name)      ? "-"
-                                                                         : factor.text(r));
+                                                                         : usual_text(factor, r));
   }
   return key;
 }

@@ -80,13 +80,18 @@ void compare(RunComparison& made, ChangeOf&& change_of) {
   }
 }
 
+MachineRecord machine_of(const RunData& run) {
+  const auto row = std::ranges::find_if(run.rows, [](const CellRow& r) { return r.launches > 0; });
+  return row == run.rows.end() ? MachineRecord() : row->cell.machine;
+}
+
+bool is_same(const MachineRecord& a, const MachineRecord& b) {
+  return a.host == b.host && a.cpu == b.cpu && a.pus == b.pus;
+}
+
 std::vector<std::string> machine_warnings(const RunData& a, const RunData& b) {
-  const auto machine_of = [](const RunData& run) {
-    const auto row = std::ranges::find_if(run.rows, [](const CellRow& r) { return r.launches > 0; });
-    return row == run.rows.end() ? MachineRecord() : row->cell.machine;
-  };
   const MachineRecord on_a = machine_of(a), on_b = machine_of(b);
-  if (on_a.host != on_b.host || on_a.cpu != on_b.cpu || on_a.pus != on_b.pus) {
+  if (!is_same(on_a, on_b)) {
     return {
         fmt::format("the runs were made on different machines: A on {} ({}, {} processors), B on {} ({}, {} "
                     "processors)",
@@ -138,12 +143,23 @@ bool RunComparison::slower_than(double share) const {
   });
 }
 
+std::string RunComparison::unanswered() const {
+  if (!same_machine) return "the runs were made on different machines";
+  for (const CellComparison& row : rows) {
+    if (!row.fps_a || row.change) continue;
+    return fmt::format("{} could not be compared: {}", row.name,
+                       row.not_compared.empty() ? "fewer than 6 launches on one side" : row.not_compared);
+  }
+  return rows.empty() ? "there is no cell that could be compared" : "";
+}
+
 RunComparison compare_runs(const RunData& a, const RunData& b) {
   std::map<std::string, const CellRow*> in_b;
   for (const CellRow& row : b.rows) in_b[own_key(row.cell)] = &row;
   RunComparison made;
   made.floor = larger(a.context.floor, b.context.floor);
   made.warnings = machine_warnings(a, b);
+  made.same_machine = is_same(machine_of(a), machine_of(b));
   std::vector<std::pair<const CellRow*, const CellRow*>> pairs;
   std::vector<CellRow> all = a.rows;
   for (const CellRow& row : a.rows) {

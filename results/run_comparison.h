@@ -27,9 +27,13 @@ struct RunComparison {
   std::vector<std::string> warnings;  // what makes the whole comparison doubtful
   std::string sentence;               // the verdict
   NoiseFloor floor;
+  bool same_machine = true;
 
-  /// Whether a cell of B is shown to be slower by more than `share` of A's fps: 0.03 for 3 %.
+  /// Whether a cell of B is shown to be slower, and by more than `share` of A's fps (0.03 for 3 %) at best
+  /// guess.
   [[nodiscard]] bool slower_than(double share) const;
+  /// Why that cannot be said of every cell of A: a sentence; empty if it can.
+  [[nodiscard]] std::string unanswered() const;
 };
 
 /// Runs made at different times: cells with the same factors are compared by the trimmed means of their
@@ -44,7 +48,8 @@ struct RunComparison {
 [[nodiscard]] Table comparison_table(const RunComparison& comparison);
 /// For programs: unrounded, every factor.
 [[nodiscard]] Table comparison_data(const RunComparison& comparison);
-/// {"sentence", "warnings", "noise_floor", "rows": [one object a row, keyed by column of the data]}
+/// {"sentence", "warnings", "noise_floor" (a log ratio), "rows": [one object a row, keyed by column of the
+/// data]}
 [[nodiscard]] nlohmann::json comparison_as_json(const RunComparison& comparison);
 
 }  // namespace raysweep

@@ -13,6 +13,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// What may not be looked at counts as not there.
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
 /// The folders of the group `path` and of its parents below `mount`, where they are there. The path may be
 /// that of the host, of which a container sees only the top.
 void add_folders(const fs::path& mount, std::string path, std::vector<fs::path>& folders) {
@@ -65,11 +75,11 @@ ControlGroups control_groups(const fs::path& root) {
                       path = line.substr(second + 1);
     if (line.starts_with("0::")) {
       // Beside version 1, version 2 is mounted below it and has other controllers.
-      const bool beside = fs::is_directory(mounts / "unified");
+      const bool beside = is_folder(mounts / "unified");
       add_folders(beside ? mounts / "unified" : mounts, path, groups.unified);
     } else if (has_cpu(controllers)) {
       const fs::path own = mounts / controllers;
-      add_folders(fs::is_directory(own) ? own : mounts / "cpu", path, groups.cpu);
+      add_folders(is_folder(own) ? own : mounts / "cpu", path, groups.cpu);
     }
   }
   return groups;
@@ -83,11 +93,11 @@ std::optional<double> cpu_quota(const ControlGroups& groups) {
   for (const fs::path& folder : groups.unified) {
     take(unified_quota(folder));
     // The root group has no cpu.max, nor have groups without that controller: none of them has a quota.
-    if (fs::exists(folder / "cgroup.controllers")) take(std::numeric_limits<double>::infinity());
+    if (is_there(folder / "cgroup.controllers")) take(std::numeric_limits<double>::infinity());
   }
   for (const fs::path& folder : groups.cpu) {
     take(cpu_group_quota(folder));
-    if (fs::exists(folder / "cpu.shares")) take(std::numeric_limits<double>::infinity());
+    if (is_there(folder / "cpu.shares")) take(std::numeric_limits<double>::infinity());
   }
   return least;
 }

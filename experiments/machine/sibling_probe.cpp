@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <barrier>
+#include <atomic>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <thread>
 
 #include "experiments/clock.h"
+#include "results/statistics/statistics.h"
 #include "schedulers/binding.h"
 #include "schedulers/registry.h"
 
@@ -25,7 +25,7 @@ constexpr double of_one_core = 1.5;
 /// Seconds for a fixed amount of multiplications, many at a time: unlike a chain of dependent ones, which
 /// leaves the multiplier idle two cycles of three and lets a second thread have them.
 double multiply() {
-  constexpr int steps = 60'000;
+  constexpr int steps = 800'000;  // 2 ms: long beside the moment in which both begin
   std::array<uint64_t, 8> x{1, 2, 3, 4, 5, 6, 7, 8};
   const double begin = now_seconds();
   for (int i = 0; i < steps; ++i) {
@@ -37,20 +37,24 @@ double multiply() {
   return now_seconds() - begin;
 }
 
-/// The fastest of a few tries on all `processors` at once, by the slowest of them.
-double fastest_together(const std::vector<int>& processors) {
-  constexpr int tries = 5;
+/// The median of a few tries on all `processors` at once, by the slowest of them.
+double seconds_together(const std::vector<int>& processors) {
+  constexpr size_t tries = 5;
   std::vector<std::array<double, tries>> seconds(processors.size());
   std::vector<char> bound(processors.size());
-  std::barrier together(static_cast<std::ptrdiff_t>(processors.size()));
+  // They meet spinning: one that sleeps begins later than the other, whose work is then half done.
+  std::atomic<size_t> arrivals{0};
   {
     std::vector<std::jthread> threads;
     for (size_t i = 0; i < processors.size(); ++i) {
       threads.emplace_back([&, i] {
         bound[i] = bind_this_thread({processors[i]});
-        for (double& t : seconds[i]) {
-          together.arrive_and_wait();
-          t = multiply();
+        for (size_t t = 0; t < tries; ++t) {
+          // Relaxed is enough: nothing but the moment is passed on.
+          arrivals.fetch_add(1, std::memory_order_relaxed);
+          while (arrivals.load(std::memory_order_relaxed) < (t + 1) * processors.size())
+            std::this_thread::yield();
+          seconds[i][t] = multiply();
         }
       });
     }
@@ -58,25 +62,23 @@ double fastest_together(const std::vector<int>& processors) {
   for (size_t i = 0; i < processors.size(); ++i) {
     if (!bound[i]) throw SchedulerError(fmt::format("no thread can be bound to processor {}", processors[i]));
   }
-  double fastest = std::numeric_limits<double>::infinity();
-  for (int t = 0; t < tries; ++t) {
-    double slowest = 0;
-    for (const auto& own : seconds) slowest = std::max(slowest, own[static_cast<size_t>(t)]);
-    fastest = std::min(fastest, slowest);
+  std::vector<double> slowest(tries);
+  for (size_t t = 0; t < tries; ++t) {
+    for (const auto& own : seconds) slowest[t] = std::max(slowest[t], own[t]);
   }
-  return fastest;
+  return median(std::move(slowest));
 }
 
 }  // namespace
 
 std::vector<PairSlowdown> probe_siblings(const std::vector<int>& processors) {
   std::map<int, double> alone;
-  for (const int p : processors) alone[p] = fastest_together({p});
+  for (const int p : processors) alone[p] = seconds_together({p});
   std::vector<PairSlowdown> pairs;
   for (size_t i = 0; i < processors.size(); ++i) {
     for (size_t j = i + 1; j < processors.size(); ++j) {
       const int a = processors[i], b = processors[j];
-      pairs.push_back({a, b, fastest_together({a, b}) / std::max(alone[a], alone[b])});
+      pairs.push_back({a, b, seconds_together({a, b}) / std::max(alone[a], alone[b])});
     }
   }
   return pairs;

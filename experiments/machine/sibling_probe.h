@@ -17,8 +17,8 @@ struct PairSlowdown {
 /// More have too many pairs to try in a minute.
 inline constexpr int most_probed_processors = 128;
 
-/// Every pair of `processors`, each bound to a thread that keeps the integer multiplier busy: the fastest of
-/// a few tries, about 5 ms a pair. Throws SchedulerError where a thread cannot be bound.
+/// Every pair of `processors`, each bound to a thread that keeps the integer multiplier busy: the median of
+/// a few tries, about 20 ms a pair. Throws SchedulerError where a thread cannot be bound.
 [[nodiscard]] std::vector<PairSlowdown> probe_siblings(const std::vector<int>& processors);
 
 /// Where the probe and the topology do not agree, one sentence a pair; empty if they agree everywhere.

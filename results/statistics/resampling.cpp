@@ -31,11 +31,16 @@ void resample(const FramesByLaunch& frames, Random& random, FramesByLaunch& draw
 std::vector<Estimate::Bounds> hierarchical_bootstrap(const FramesByLaunch& frames,
                                                      const Statistics& statistics, uint64_t seed) {
   if (frames.size() < fewest_launches) return {};
-  constexpr int resamples = 2000;  // with 6 launches the ends are the fifth smallest and largest of them
+  // With 6 launches the ends lie between the fifth and the sixth of 2,000 from outside. Fewer resamples are
+  // enough where there are so many frames that their number is what it costs.
+  constexpr size_t most = 2000, fewest = 400, draws = 4'000'000;
+  size_t frame_count = 1;
+  for (const auto& launch : frames) frame_count += launch.size();
+  const size_t resamples = std::clamp(draws / frame_count, fewest, most);
   Random random(seed);
   FramesByLaunch drawn(frames.size());
   std::vector<std::vector<double>> values(statistics(frames).size());
-  for (int i = 0; i < resamples; ++i) {
+  for (size_t i = 0; i < resamples; ++i) {
     resample(frames, random, drawn);
     const auto numbers = statistics(drawn);
     for (size_t s = 0; s < values.size(); ++s) values[s].push_back(numbers[s]);

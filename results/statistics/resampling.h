@@ -20,10 +20,11 @@ inline constexpr size_t fewest_launches = 6;  // as for medians: fewer have no 9
 /// 95 % intervals of `statistics`, in their order, or nothing for fewer than 6 launches. Launches are drawn
 /// with replacement, then as many frames of each: frames of a launch resemble each other, so that the launch
 /// is the sample (Davison & Hinkley 1997, 3.8; Kalibera & Jones 2013). The interval's ends are percentiles of
-/// 2,000 resamples, further out the fewer launches there are: those of Φ(±√(n/(n−1))·t) with t the 97.5 %
-/// quantile of Student's distribution with n − 1 degrees of freedom (Hesterberg 2015, "What teachers should
-/// know about the bootstrap", 5.3: plain percentiles are too narrow by what √((n−1)/n) and the normal
-/// distribution leave out). The same seed gives the same intervals everywhere.
+/// 2,000 resamples (of more than 2,000 frames: fewer, 400 at least), further out the fewer launches there
+/// are: those of Φ(±√(n/(n−1))·t) with t the 97.5 % quantile of Student's distribution with n − 1 degrees of
+/// freedom (Hesterberg 2015, "What teachers should know about the bootstrap", 5.3: plain percentiles are too
+/// narrow by what √((n−1)/n) and the normal distribution leave out). The same seed gives the same intervals
+/// everywhere.
 [[nodiscard]] std::vector<Estimate::Bounds> hierarchical_bootstrap(const FramesByLaunch& frames,
                                                                    const Statistics& statistics,
                                                                    uint64_t seed = 1);

@@ -104,12 +104,12 @@ ScalingLaw fit(const std::vector<ScalingPoint>& points, int parameters) {
   ScalingLaw law;
   law.fps_of_one = std::exp(at[0]);
   law.serial_share = estimate(1);
-  law.superlinear = at[1] < negative;
+  law.superlinear = law.serial_share.interval->high < negative;
   law.residual = std::sqrt(variance);
   if (parameters < 3) return law;
   law.coherence = estimate(2);
-  law.superlinear |= at[2] < negative;
-  if (at[2] > -negative && at[1] < 1) law.peak_threads = std::sqrt((1 - at[1]) / at[2]);
+  law.superlinear |= law.coherence->interval->high < negative;
+  if (law.coherence->interval->low > 0 && at[1] < 1) law.peak_threads = std::sqrt((1 - at[1]) / at[2]);
   const auto most = std::ranges::max_element(points, {}, &ScalingPoint::threads);
   law.extrapolated = law.peak_threads && *law.peak_threads > most->threads;
   return law;

@@ -28,9 +28,9 @@ struct ScalingLaw {
   double fps_of_one = 0;               // λ
   Estimate serial_share;               // σ: waiting for each other; Amdahl's serial share where κ is 0
   std::optional<Estimate> coherence;   // κ: agreeing with each other; none in Amdahl's law
-  std::optional<double> peak_threads;  // √((1 − σ)/κ), where κ > 0
+  std::optional<double> peak_threads;  // √((1 − σ)/κ), where κ is shown to be above 0
   bool extrapolated = false;           // that peak lies beyond what was measured
-  bool superlinear = false;            // σ or κ is negative: more threads make a thread faster
+  bool superlinear = false;            // σ or κ is shown to be negative: more threads make a thread faster
   double residual = 0;                 // standard deviation of log fps around the curve
 };
 

@@ -19,6 +19,9 @@ std::string floor_text(const NoiseFloor& floor) {
                          : "noise floor unknown";
 }
 
+/// What a claim must be read with where no floor is known.
+std::string but_unknown(const NoiseFloor& floor) { return floor.log_ratio ? "" : " (noise floor unknown)"; }
+
 }  // namespace
 
 std::string signed_percent(double ratio) { return signed_number(ratio) + " %"; }
@@ -40,9 +43,9 @@ std::string signed_amount(const Change& change) {
 std::string in_words(const std::optional<Change>& change, const NoiseFloor& floor) {
   switch (verdict_of(change, floor)) {
     case Verdict::faster:
-      return "faster by " + amount(*change);
+      return "faster by " + amount(*change) + but_unknown(floor);
     case Verdict::slower:
-      return "slower by " + amount(*change);
+      return "slower by " + amount(*change) + but_unknown(floor);
     case Verdict::no_difference:
       return "no difference shown";
     case Verdict::too_few:

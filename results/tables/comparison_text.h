@@ -17,7 +17,8 @@ namespace raysweep {
 /// "−4.1 % [−5.0, −3.2]"
 [[nodiscard]] std::string signed_amount(const Change& change);
 
-/// For a cell of a table: "faster by 4.2 % [3.1, 5.4]", "no difference shown", "too few launches".
+/// For a cell of a table: "faster by 4.2 % [3.1, 5.4]", "no difference shown", "too few launches";
+/// with "(noise floor unknown)" where it is.
 [[nodiscard]] std::string in_words(const std::optional<Change>& change, const NoiseFloor& floor);
 
 /// One whole sentence: "omp_dynamic is faster than omp_static by 4.2 % [3.1, 5.4]", "no difference shown:

@@ -25,23 +25,36 @@ bool has_core_each(const Record& r) {
   return !r.is_bound() || r.cores_seen == 0 || r.threads <= r.cores_seen;
 }
 
-ScalingLaws laws_of(const std::vector<const CellRow*>& rows) {
-  std::vector<ScalingPoint> points;
-  for (const CellRow* row : rows) {
-    if (has_core_each(row->cell) && !row->oversubscribed)
-      points.push_back({row->cell.threads, row->fps->value});
+/// Medians of the rounds that all rows share: a machine that drifts while some rows are launched on must not
+/// bend the curve.
+ScalingLaws laws_of(std::vector<const CellRow*> rows) {
+  const int cores = rows.front()->cell.machine.cores;
+  std::erase_if(rows, [](const CellRow* row) { return !has_core_each(row->cell) || row->oversubscribed; });
+  std::vector<std::vector<double>> shared(rows.size());
+  for (size_t i = 0; i < rows.size(); ++i) {
+    for (const auto& [round, fps] : rows[i]->fps_by_round) {
+      const auto has_round = [round = round](const CellRow* row) {
+        return row->fps_by_round.contains(round);
+      };
+      if (std::ranges::all_of(rows, has_round)) shared[i].push_back(fps);
+    }
   }
-  return fit_scaling_laws(std::move(points), rows.front()->cell.machine.cores);
+  std::vector<ScalingPoint> points;
+  for (size_t i = 0; i < rows.size(); ++i)
+    points.push_back({rows[i]->cell.threads, shared[i].empty() ? rows[i]->fps->value : median(shared[i])});
+  return fit_scaling_laws(std::move(points), cores);
 }
 
-/// Against `serial`, or against one thread where a run has no serial cell.
+/// Against `serial`. What threads lose that have no processor or core of their own is no serial share.
 std::optional<Estimate> serial_share(const CellRow& row) {
-  return karp_flatt(row.speedup ? row.speedup : row.speedup_one, row.cell.threads);
+  if (row.oversubscribed || !has_core_each(row.cell) || row.cell.threads > row.cell.machine.cores)
+    return std::nullopt;
+  return karp_flatt(row.speedup, row.cell.threads);
 }
 
 std::string peak_text(const ScalingLaws& laws) {
   if (!laws.usl) return "–";
-  if (!laws.usl->peak_threads) return "none";
+  if (!laws.usl->peak_threads) return "not shown";
   return fmt::format("{:.3g} threads{}", *laws.usl->peak_threads,
                      laws.usl->extrapolated ? " (extrapolated)" : "");
 }
@@ -61,7 +74,7 @@ std::string remark(const ScalingLaws& laws) {
 std::vector<std::string> law_cells(const ScalingLaws& laws) {
   if (!laws.usl) return {"–", "–", "–", "–", remark(laws)};
   return {percent(std::optional(laws.amdahl->serial_share)), percent(std::optional(laws.usl->serial_share)),
-          percent(laws.usl->coherence), peak_text(laws), remark(laws)};
+          with_interval(laws.usl->coherence), peak_text(laws), remark(laws)};
 }
 
 std::vector<std::string> law_data(const ScalingLaws& laws) {
@@ -109,7 +122,9 @@ Table scaling_laws_table(const std::vector<CellRow>& rows) {
   const auto factors = varying_factors(rows);
   Table table;
   table.caption =
-      "Scaling laws: Karp–Flatt's serial share (1/S − 1/p)/(1 − 1/p), with the interval of the speedup\n"
+      "Scaling laws: Karp–Flatt's serial share (1/S − 1/p)/(1 − 1/p) of threads with a core each, by the "
+      "speedup "
+      "against serial and its interval\n"
       "fits to log fps up to the physical cores, with 95 % intervals: Amdahl X = λN/(1 + σ(N − 1)), "
       "USL X = λN/(1 + σ(N − 1) + κN(N − 1))";
   for (const FactorText& f : factors) table.columns.push_back({f.name, f.number});
@@ -120,7 +135,7 @@ Table scaling_laws_table(const std::vector<CellRow>& rows) {
     for (const CellRow* row : group.rows) {
       std::vector<std::string> cells;
       for (const FactorText& f : factors) cells.push_back(f.text(row->cell));
-      cells.push_back(with_interval(row->speedup ? row->speedup : row->speedup_one));
+      cells.push_back(with_interval(row->speedup));
       cells.push_back(percent(serial_share(*row)));
       if (row == group.rows.front()) {
         for (std::string& cell : law_cells(group.laws)) cells.push_back(std::move(cell));

@@ -14,8 +14,11 @@ namespace {
 /// How the column `against the best` came about, and what is too small to be shown.
 std::string comparisons_text(const Standings& standings, const NoiseFloor& floor) {
   if (standings.comparisons == 0) return floor.to_text();
-  return fmt::format("{}; against the best: fps paired by round, corrected for {} comparison{}",
-                     floor.to_text(), standings.comparisons, standings.comparisons == 1 ? "" : "s");
+  return fmt::format(
+      "{}; against the best of as many threads: fps paired by round, corrected for all comparisons among "
+      "them (up "
+      "to {})",
+      floor.to_text(), standings.comparisons);
 }
 
 std::vector<std::string> standing_data(const Standing& standing) {

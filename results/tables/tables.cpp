@@ -49,6 +49,10 @@ std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext&
 void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
                   const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
+  // What this report has nothing to say about must not stay from an earlier one.
+  for (const char* name : {"laws", "schedule", "chunks", "hyper-threading", "power"}) {
+    for (const char* suffix : {".md", ".csv"}) std::filesystem::remove(folder / (std::string(name) + suffix));
+  }
   write_file(folder / "scaling.md", to_markdown(scaling_table(rows, context)));
   write_file(folder / "scaling.csv", to_csv(scaling_data(rows, context.floor)));
   const auto frames = frame_times(rows);

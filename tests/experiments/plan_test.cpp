@@ -42,6 +42,22 @@ TEST(plan, the_twin_is_of_the_cell_that_fills_the_machine) {
     EXPECT_EQ(std::ranges::count(p.bases, twin->key), p.key + ",twin=1" == twin->key);
 }
 
+TEST(plan, a_slowed_cell_comes_with_its_original_and_twins_are_of_that) {
+  const Plan plan = plan_of("[sweep]\nscheduler = \"thread_static\"\nthreads = 2\nslowdown = [0.5, 0]\n");
+  std::string original;
+  for (const PlannedCell& p : plan.cells) {
+    if (p.cell.twin > 0) {
+      EXPECT_EQ(p.cell.slowdown, 0);
+    } else if (p.cell.threads == 2 && p.cell.slowdown == 0) {
+      original = p.key;
+    }
+  }
+  const auto slowed =
+      std::ranges::find_if(plan.cells, [](const PlannedCell& p) { return p.cell.slowdown > 0; });
+  ASSERT_NE(slowed, plan.cells.end());
+  EXPECT_EQ(std::ranges::count(slowed->bases, original), 1);
+}
+
 TEST(plan, there_may_be_more_twins_or_none) {
   const auto twins = [](int asked) {
     const Plan plan = plan_of(fmt::format("[sweep]\nthreads = 2\n[measure]\ntwins = {}\n", asked));

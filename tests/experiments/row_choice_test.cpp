@@ -35,6 +35,13 @@ TEST(row_choice, as_few_factors_as_tell_it_apart) {
   EXPECT_EQ(&choose_row(rows, "scheduler=omp_static,threads=1"), &rows[1]);
 }
 
+TEST(row_choice, a_list_of_processors_holds_commas) {
+  auto rows = three_rows();
+  rows[1].cell.pin = "0,1";
+  rows[2].cell.pin = "0,2";
+  EXPECT_EQ(&choose_row(rows, "pin=0,2,scheduler=omp_static"), &rows[2]);
+}
+
 TEST(row_choice, what_is_wrong_is_told_with_what_is_possible) {
   EXPECT_EQ(refusal("scheduler=omp_static"),
             "--cell scheduler=omp_static: 2 cells are meant; name one by threads (1, 2)");

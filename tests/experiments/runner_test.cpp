@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "experiments/errors.h"
@@ -23,6 +24,7 @@ class FakeLauncher final : public Launcher {
   double clock = 1000;
   int launched = 0, pictures = 0;
   int interrupt_after = -1;  // launches
+  int pictures_that_work = -1;
   std::string wrong_scheduler, failing_scheduler, idle_scheduler;
   std::string noisy_scheduler;  // its frames take from 0.3 to 0.7 s, others 0.5 s
   std::vector<double> timeouts;
@@ -45,6 +47,7 @@ class FakeLauncher final : public Launcher {
   }
   LaunchOutcome picture(const Cell& cell, double) override {
     EXPECT_EQ(cell.scheduler, "serial");
+    if (pictures == pictures_that_work) return {std::nullopt, "killed by signal 9", false};
     pictures++;
     clock += 3;
     Record r;
@@ -86,7 +89,7 @@ class RunnerTest : public testing::Test {
   RunReport run(bool resume = false) {
     std::vector<Experiment> one;
     one.push_back(experiment(config, path, resume));
-    return run_experiments(one, machine, tools()).front();
+    return run_experiments(one, machine, tools()).reports.front();
   }
   /// The sentence by which a run is refused.
   std::string refusal(bool resume) {
@@ -285,10 +288,10 @@ TEST_F(RunnerTest, a_cell_that_never_works_is_given_up_after_the_first_rounds) {
 
 TEST_F(RunnerTest, a_launch_may_take_many_times_as_long_as_the_serial_picture) {
   (void)run();
-  EXPECT_EQ(*std::ranges::min_element(launcher.timeouts), default_timeout(Cell(), 3));
+  EXPECT_EQ(*std::ranges::min_element(launcher.timeouts), default_timeout(Cell(), 0.3, 3));
   Cell together;
   together.processes = 4;
-  EXPECT_GT(default_timeout(together, 3), default_timeout(Cell(), 3));
+  EXPECT_GT(default_timeout(together, 0.3, 3), default_timeout(Cell(), 0.3, 3));
   std::filesystem::remove_all(path);
   launcher.timeouts.clear();
   config.measure.timeout_seconds = 2;
@@ -305,7 +308,7 @@ TEST_F(RunnerTest, experiments_share_the_cells_that_both_have) {
   std::vector<Experiment> both;
   both.push_back(experiment(config, path / "x", false));
   both.push_back(experiment(other, path / "y", false));
-  const auto reports = run_experiments(both, machine, tools());
+  const auto reports = run_experiments(both, machine, tools()).reports;
   const auto of_x = read_records(path / "x" / "records.jsonl"),
              of_y = read_records(path / "y" / "records.jsonl");
   EXPECT_EQ(of_x.size(), cells * 7);
@@ -319,6 +322,52 @@ TEST_F(RunnerTest, experiments_share_the_cells_that_both_have) {
   for (const Record& r : of_y) numbers.insert(r.launch);
   EXPECT_EQ(numbers.size(), 56u);
   EXPECT_EQ(*numbers.rbegin(), 55);
+}
+
+TEST_F(RunnerTest, the_longest_timeout_of_those_that_share_a_launch_counts) {
+  Config patient = config;
+  config.measure.timeout_seconds = 2;
+  patient.experiment = "y";
+  patient.measure.timeout_seconds = 90;
+  std::vector<Experiment> both;
+  both.push_back(experiment(config, path / "x", false));
+  both.push_back(experiment(patient, path / "y", false));
+  (void)run_experiments(both, machine, tools());
+  for (const double timeout : launcher.timeouts) EXPECT_EQ(timeout, 90);
+}
+
+TEST_F(RunnerTest, a_picture_that_cannot_be_had_ends_the_run_and_keeps_its_report) {
+  launcher.pictures_that_work = 1;
+  std::vector<Experiment> one;
+  one.push_back(experiment(config, path, false));
+  const RunOutcome outcome = run_experiments(one, machine, tools());
+  EXPECT_NE(outcome.failure.find("the serial picture cannot be rendered"), std::string::npos)
+      << outcome.failure;
+  EXPECT_EQ(outcome.reports.front().end, RunEnd::failed);
+  EXPECT_EQ(outcome.reports.front().launches, static_cast<int>(records().size()));
+}
+
+TEST_F(RunnerTest, a_resumed_run_that_ends_early_again_is_not_complete_for_any_experiment) {
+  Config other = config;
+  other.experiment = "y";
+  const auto both = [&](bool resume) {
+    std::vector<Experiment> list;
+    list.push_back(experiment(config, path / "x", resume));
+    list.push_back(experiment(other, path / "y", resume));
+    return run_experiments(list, machine, tools()).reports;
+  };
+  launcher.interrupt_after = 20;
+  (void)both(false);
+  launcher.interrupt_after = launcher.launched + 1;
+  for (const RunReport& report : both(true)) EXPECT_EQ(report.end, RunEnd::interrupted);
+}
+
+TEST_F(RunnerTest, another_build_does_not_take_up_a_run) {
+  (void)run();
+  auto old = nlohmann::json::parse(std::ifstream(path / "machine.json"));
+  old["build"]["commit"] = "another";
+  std::ofstream(path / "machine.json") << old;
+  EXPECT_NE(refusal(true).find("by another build of raysweep"), std::string::npos) << refusal(true);
 }
 
 TEST_F(RunnerTest, experiments_whose_launches_are_of_other_lengths_share_pictures_only) {

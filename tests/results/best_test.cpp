@@ -94,6 +94,16 @@ TEST(best, of_equal_cells_is_shown_at_most_5_times_of_100) {
   EXPECT_LE(found, trials * 0.05 + 2.5 * std::sqrt(trials * 0.05 * 0.95));
 }
 
+/// One cell had converged when the machine became slower; the other was launched on.
+TEST(best, is_chosen_by_the_rounds_that_all_share) {
+  auto rows = rows_of({{"converged", 9.7}, {"launched_on", 10}});
+  for (int round = 7; round < 28; ++round) rows[1].fps_by_round[round] = 8 + 0.001 * round;
+  rows[1].fps->value = 8;
+  const auto placed = against_the_best(rows, {});
+  EXPECT_EQ(placed.rows[1].place, Standing::Place::best);
+  EXPECT_EQ(placed.rows[0].place, Standing::Place::other);
+}
+
 TEST(best, has_its_numbers_in_the_data_too) {
   const auto rows = rows_of({{"omp_static", 9}, {"omp_dynamic", 10}, {"serial", 1}});
   const Table data = scaling_data(rows);
@@ -111,8 +121,9 @@ TEST(tables, name_the_noise_floor_and_the_number_of_comparisons) {
   };
   const auto rows = rows_of({{"a", 9}, {"b", 10}, {"c", 11}});
   EXPECT_EQ(caption(rows, {}),
-            "noise floor unknown: no A/A pairs; against the best: fps paired by round, corrected for 3 "
-            "comparisons");
+            "noise floor unknown: no A/A pairs; against the best of as many threads: fps paired by round, "
+            "corrected for "
+            "all comparisons among them (up to 3)");
   EXPECT_EQ(caption({rows[0]}, {std::log(1.008), 7}), "noise floor: 0.8 % (A/A of 7 pairs)");
 }
 

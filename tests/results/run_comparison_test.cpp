@@ -42,7 +42,31 @@ TEST(run_comparison, equal_runs_show_no_difference) {
   const auto made = compare_runs(run_of(before), run_of(before, 7, 1000));
   EXPECT_EQ(made.sentence, "B is faster in 0 of 3 cells, slower in 0, no difference shown in 3");
   EXPECT_FALSE(made.slower_than(0));
-  EXPECT_TRUE(made.warnings.empty());
+  ASSERT_EQ(made.warnings.size(), 1u);
+  EXPECT_NE(made.warnings[0].find("measured one after the other"), std::string::npos);
+  EXPECT_EQ(made.unanswered(), "");
+}
+
+TEST(run_comparison, a_processor_that_ran_at_another_speed_is_told) {
+  auto a = run_of(before), b = run_of(before, 7, 1000);
+  for (Record& r : a.records) r.state.spin_before_seconds = 1e-3;
+  for (Record& r : b.records) r.state.spin_before_seconds = 1.04e-3;
+  const auto made = compare_runs(a, b);
+  ASSERT_EQ(made.warnings.size(), 2u);
+  EXPECT_NE(made.warnings[1].find("the calibrated spin took +4.0 % in B"), std::string::npos)
+      << made.warnings[1];
+  for (Record& r : b.records) r.state.spin_before_seconds = 1.01e-3;
+  EXPECT_EQ(compare_runs(a, b).warnings.size(), 1u);
+}
+
+TEST(run_comparison, a_cell_of_a_that_cannot_be_compared_leaves_the_question_open) {
+  auto fewer = before;
+  fewer.pop_back();
+  EXPECT_NE(compare_runs(run_of(before), run_of(fewer, 7, 1000)).unanswered().find("only in A"),
+            std::string::npos);
+  EXPECT_EQ(compare_runs(run_of(fewer), run_of(before, 7, 1000)).unanswered(), "") << "B may have more";
+  EXPECT_NE(compare_runs(run_of(before), run_of(before, 5, 1000)).unanswered().find("fewer than 6 launches"),
+            std::string::npos);
 }
 
 TEST(run_comparison, finds_what_became_faster_or_slower_and_names_the_worst) {
@@ -57,6 +81,13 @@ TEST(run_comparison, finds_what_became_faster_or_slower_and_names_the_worst) {
   EXPECT_TRUE(made.slower_than(0.03));
   EXPECT_FALSE(made.slower_than(0.05)) << "slower by less";
   EXPECT_LT(*made.rows[1].adjusted_p, 0.05);
+}
+
+TEST(run_comparison, runs_of_old_schemas_have_the_same_cells) {
+  auto old = run_of(before);
+  for (Record& r : old.records) r.environment = r.wait_policy = r.spin_count = "-";
+  for (CellRow& row : old.rows) row.cell.environment = row.cell.wait_policy = row.cell.spin_count = "-";
+  EXPECT_EQ(compare_runs(old, run_of(before, 7, 1000)).unanswered(), "");
 }
 
 TEST(run_comparison, matches_cells_by_their_factors_and_tells_which_are_alone) {

@@ -112,7 +112,8 @@ TEST(scaling_laws, of_morozov_2011_are_those_of_scipy) {
     near(laws.usl->serial_share, e.sigma, e.sigma_low, e.sigma_high);
     near(*laws.usl->coherence, e.kappa, e.kappa_low, e.kappa_high);
     near(laws.amdahl->serial_share, e.amdahl, e.amdahl_low, e.amdahl_high);
-    EXPECT_TRUE(laws.usl->superlinear) << "a negative parameter is told, and not forbidden";
+    EXPECT_FALSE(laws.usl->superlinear) << "a parameter below 0 whose interval holds 0 shows nothing";
+    EXPECT_EQ(laws.usl->peak_threads.has_value(), e.kappa_low > 0);
   }
 }
 
@@ -137,7 +138,7 @@ TEST(scaling_laws_table, has_karp_flatt_by_threads_and_the_laws_once) {
   EXPECT_EQ(table.rows[0][3], "–");
   EXPECT_EQ(table.rows[1][3], "10.2 % [10.2, 10.2]") << "σ + κ·p";
   EXPECT_EQ(table.rows[0][5], "10.0 % [10.0, 10.0]");
-  EXPECT_EQ(table.rows[0][6], "0.1 % [0.1, 0.1]");
+  EXPECT_EQ(table.rows[0][6], "0.001 [0.001, 0.001]");
   EXPECT_EQ(table.rows[0][7], "30 threads (extrapolated)");
   EXPECT_EQ(table.rows[1][5], "");
   EXPECT_EQ(scaling_laws_data(rows_of(7, 6)).rows.size(), 7u);
