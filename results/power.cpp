@@ -136,9 +136,9 @@ std::vector<Power> detection_power(const std::vector<Record>& records) {
 Table power_table(const std::vector<Power>& power) {
   Table table;
   table.caption =
-      "What comparisons find: of a cell with itself (A/A: called different), and with one that is slowed "
-      "down "
-      "by a known share (called slower)\n" +
+      "What one comparison alone finds, as of `compare --cell`: of a cell with itself (A/A: called "
+      "different), and with "
+      "one that is slowed down by a known share (called slower)\n" +
       conclusion(power);
   table.columns = {{"launches of each"}, {"A/A"}};
   for (const Detection& d : power.front().detections) {

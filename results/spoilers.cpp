@@ -29,6 +29,12 @@ Count count_above(const Rounds& launches, double threshold, Of&& of) {
   return count;
 }
 
+/// The median does not mind fewer.
+bool is_often(const Count& count, const Rounds& launches) {
+  return static_cast<double>(count.above) >= spoiling::often * static_cast<double>(launches.size()) &&
+         count.above > 0;
+}
+
 Value spin_excess(const LaunchState& state, Value usual) {
   const Value slower = larger(state.spin_before_seconds, state.spin_after_seconds);
   return slower && usual && *usual > 0 ? Value(*slower / *usual - 1) : std::nullopt;
@@ -57,7 +63,7 @@ Disturbance disturbance_of(const Rounds& launches, std::optional<double> usual_s
     return count_above(launches, threshold, [field](const Record& r) { return r.state.*field; });
   };
   const Count cold = count_above(launches, 0.5, [](const Record& r) { return Value(r.warm ? 0 : 1); });
-  if (cold.above > 0) {
+  if (is_often(cold, launches)) {
     found.reasons.push_back(
         fmt::format("not warm when timing began ({} of {} launches)", cold.above, launches.size()));
   }
@@ -70,8 +76,10 @@ Disturbance disturbance_of(const Rounds& launches, std::optional<double> usual_s
   (void)told(in_state(&LaunchState::thermal_throttles, 0), "throttled because it was hot in");
   const Count spin = count_above(launches, spoiling::spin_excess,
                                  [&](const Record& r) { return spin_excess(r.state, usual_spin_seconds); });
-  found.spin_excess =
-      told(spin, fmt::format("the processor ran up to {:.0f} % slower in", spin.largest.value_or(0) * 100));
+  found.spin_excess = spin.largest;
+  if (is_often(spin, launches))
+    (void)told(spin,
+               fmt::format("the processor ran up to {:.0f} % slower in", spin.largest.value_or(0) * 100));
   found.pressure_share = in_state(&LaunchState::pressure_share, 1).largest;
   return found;
 }

@@ -26,6 +26,8 @@ inline constexpr double steal_share = 0.02;
 /// A fixed chain of instructions took so much longer than usual: the steps of turbo are smaller (100 MHz of 3
 /// GHz).
 inline constexpr double spin_excess = 0.05;
+/// Of the launches: single ones that began cold, or whose short spin was interrupted, happen on any machine.
+inline constexpr double often = 0.25;
 }  // namespace spoiling
 
 /// Seconds of the fixed chain of instructions that the run's launches show before and after: the median; none

@@ -58,6 +58,15 @@ TEST(spoilers, say_what_else_the_machine_did_and_how_often) {
             Reasons{"not warm when timing began (3 of 7 launches)"});
 }
 
+TEST(spoilers, what_single_launches_show_on_any_machine_is_no_reason) {
+  EXPECT_EQ(disturbance([](Record& r) { r.warm = r.round > 0; }).reasons, Reasons{});
+  const Disturbance slow = disturbance([](Record& r) {
+    if (r.round == 0) r.state.spin_after_seconds = 0.2;
+  });
+  EXPECT_EQ(slow.reasons, Reasons{});
+  EXPECT_NEAR(*slow.spin_excess, 1, 1e-9) << "it stands in the data all the same";
+}
+
 TEST(spoilers, pressure_is_known_and_no_reason) {
   const Disturbance d = disturbance([](Record& r) { r.state.pressure_share = 0.1 * r.round; });
   EXPECT_TRUE(d.reasons.empty());
