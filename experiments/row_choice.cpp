@@ -22,19 +22,21 @@ const FactorText& factor_of(const std::string& name, const std::string& text) {
   throw RequestError(fmt::format("--cell {}: unknown factor \"{}\"; possible: {}", text, name, names));
 }
 
-std::string values_of(const std::vector<const CellRow*>& rows, const FactorText& factor) {
+std::set<std::string> values_of(const std::vector<const CellRow*>& rows, const FactorText& factor) {
   std::set<std::string> values;
   for (const CellRow* row : rows) values.insert(factor.text(row->cell));
-  return fmt::format("{}", fmt::join(values, ", "));
+  return values;
 }
 
-/// What tells the rows apart: "threads (1, 2), chunk (1, 4)".
+/// What tells the rows apart: "threads (1, 2), chunk (1, 4)". A "-", of schedulers that have no use for a
+/// factor, tells nobody apart whom the scheduler does not.
 std::string differences(const std::vector<const CellRow*>& rows) {
   std::string text;
   for (const FactorText& factor : factor_texts()) {
-    const std::string values = values_of(rows, factor);
-    if (values == factor.text(rows.front()->cell)) continue;
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", factor.name, values);
+    auto values = values_of(rows, factor);
+    values.erase("-");
+    if (values.size() < 2) continue;
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", factor.name, fmt::join(values, ", "));
   }
   return text;
 }
@@ -65,11 +67,12 @@ const CellRow& choose_row(const std::vector<CellRow>& rows, const std::string& t
           fmt::format("--cell {}: \"{}\" is no condition; write FACTOR=VALUE,FACTOR=VALUE", text, condition));
     }
     const FactorText& factor = factor_of(condition.substr(0, equals), text);
-    const std::string value = condition.substr(equals + 1), there = values_of(left, factor);
+    const std::string value = condition.substr(equals + 1);
+    const auto there = values_of(left, factor);
     std::erase_if(left, [&](const CellRow* row) { return factor.text(row->cell) != value; });
     if (left.empty()) {
-      throw RequestError(
-          fmt::format("--cell {}: no cell has {}; there is {} = {}", text, condition, factor.name, there));
+      throw RequestError(fmt::format("--cell {}: no cell has {}; there is {} = {}", text, condition,
+                                     factor.name, fmt::join(there, ", ")));
     }
   }
   if (left.empty()) throw RequestError(fmt::format("--cell {}: the run has no cells", text));

@@ -97,7 +97,8 @@ void print(const std::vector<PairSlowdown>& pairs, const Topology& topology) {
   if (pairs.empty()) fmt::print("no pair of processors to probe\n");
   if (sentences.empty() && worst != pairs.end()) {
     fmt::print(
-        "probed {} pairs of processors: which share a core is as the topology says; at worst a pair takes "
+        "probed every pair of processors ({}): which share a core is as the topology says; at worst a pair "
+        "takes "
         "{:.2f} "
         "times as long together as alone\n",
         pairs.size(), worst->slowdown);

@@ -30,7 +30,9 @@ Table frame_table(const std::vector<CellRow>& rows, const std::vector<std::optio
   Table table;
   table.caption =
       "Frame times in milliseconds, over all frames of all launches\n"
-      "brackets hold 95 % intervals by a bootstrap over launches and frames; p95's where these are worth 72\n"
+      "brackets hold 95 % intervals by a bootstrap over launches and frames; p95 has one where frames are "
+      "worth 72 "
+      "independent ones\n"
       "quantiles between two frames are on the line between them; p99 from 100 frames on\n"
       "the cold frame is a process's first";
   for (const FactorText& f : factors) table.columns.push_back({f.name, f.number});

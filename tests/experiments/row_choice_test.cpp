@@ -35,6 +35,18 @@ TEST(row_choice, as_few_factors_as_tell_it_apart) {
   EXPECT_EQ(&choose_row(rows, "scheduler=omp_static,threads=1"), &rows[1]);
 }
 
+TEST(row_choice, what_a_scheduler_has_no_use_for_tells_nobody_apart) {
+  auto rows = three_rows();
+  rows[0].cell.runtime = "-";
+  rows[1].cell.runtime = rows[2].cell.runtime = "libgomp";
+  try {
+    (void)choose_row(rows, "item=rows");
+    FAIL();
+  } catch (const RequestError& error) {
+    EXPECT_EQ(std::string(error.what()).find("runtime"), std::string::npos) << error.what();
+  }
+}
+
 TEST(row_choice, a_list_of_processors_holds_commas) {
   auto rows = three_rows();
   rows[1].cell.pin = "0,1";
