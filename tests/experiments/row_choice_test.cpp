@@ -37,7 +37,7 @@ TEST(row_choice, as_few_factors_as_tell_it_apart) {
 
 TEST(row_choice, what_a_scheduler_has_no_use_for_tells_nobody_apart) {
   auto rows = three_rows();
-  rows[0].cell.runtime = "-";
+  rows[0].cell.runtime.assign(1, '-');
   rows[1].cell.runtime = rows[2].cell.runtime = "libgomp";
   try {
     (void)choose_row(rows, "item=rows");
