@@ -29,7 +29,7 @@ using Group = std::vector<size_t>;  // numbers of rows, the best one first
 std::map<size_t, double> medians_of(const std::vector<CellRow>& rows, const Group& group) {
   std::map<size_t, std::vector<double>> shared;
   for (const auto& [round, fps] : rows[group.front()].fps_by_round) {
-    const auto has_round = [&](size_t i) { return rows[i].fps_by_round.contains(round); };
+    const auto has_round = [&rows, round = round](size_t i) { return rows[i].fps_by_round.contains(round); };
     if (!std::ranges::all_of(group, has_round)) continue;
     for (const size_t i : group) shared[i].push_back(rows[i].fps_by_round.at(round));
   }
