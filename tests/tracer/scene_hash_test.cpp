@@ -3,16 +3,17 @@
 #include <functional>
 #include <set>
 
-#include "tracer/scene/scenes.h"
+#include "tests/tracer/scene_sizes.h"
 
 namespace raysweep {
 namespace {
 
 TEST(scene_hash, is_the_same_for_the_same_scene_and_differs_between_scenes) {
   std::set<std::string> hashes;
-  for (const char* name : {"chair-ball", "studio", "ice", "cornell-glass", "many-lights", "marbles"}) {
-    EXPECT_EQ(scene_hash(load_scene(name)), scene_hash(load_scene(name)));
-    EXPECT_TRUE(hashes.insert(scene_hash(load_scene(name))).second) << name;
+  for (const BuiltInScene& built_in : scenes_up_to(quick_triangles)) {
+    const std::string hash = scene_hash(built_in.make(built_in.light_count));
+    EXPECT_EQ(scene_hash(built_in.make(built_in.light_count)), hash);
+    EXPECT_TRUE(hashes.insert(hash).second) << built_in.name;
   }
   EXPECT_NE(scene_hash(load_scene("studio", 1)), scene_hash(load_scene("studio", 2))) << "lights";
 }

@@ -3,8 +3,8 @@
 
 #include <map>
 
+#include "tests/tracer/scene_sizes.h"
 #include "tracer/scene/chair.h"
-#include "tracer/scene/scenes.h"
 #include "tracer/scene/view.h"
 
 namespace raysweep {
@@ -60,9 +60,10 @@ TEST(chair_ball, both_shapes_are_ideal_mirrors_with_a_colour_of_their_own) {
 }
 
 TEST(scenes, every_index_and_every_vertex_is_good) {
-  for (const BuiltInScene& built_in : built_in_scenes()) {
+  for (const BuiltInScene& built_in : scenes_up_to(quick_triangles)) {
     const Scene scene = built_in.make(3);
     EXPECT_EQ(scene.name, built_in.name);
+    EXPECT_EQ(scene.triangle_count(), built_in.triangle_count);
     EXPECT_EQ(scene.lights.size(), 3u);
     for (const Mesh& mesh : scene.meshes) {
       EXPECT_LT(mesh.material, scene.materials.size());
@@ -137,7 +138,7 @@ TEST(frame_meshes, a_mesh_far_out_is_moved_to_the_origin) {
 }
 
 TEST(load_scene, as_many_lights_as_asked_for_else_its_own) {
-  for (const BuiltInScene& built_in : built_in_scenes()) {
+  for (const BuiltInScene& built_in : scenes_up_to(quick_triangles)) {
     const std::string name(built_in.name);
     EXPECT_EQ(load_scene(name).lights.size(), static_cast<size_t>(own_light_count(name)));
     EXPECT_EQ(load_scene(name, 5).lights.size(), 5u);

@@ -5,11 +5,14 @@
 #include <array>
 #include <filesystem>
 
+#include "tracer/scene/chair.h"
 #include "tracer/scene/chair_ball.h"
 #include "tracer/scene/cornell_glass.h"
+#include "tracer/scene/grotto.h"
 #include "tracer/scene/ice.h"
 #include "tracer/scene/many_lights.h"
 #include "tracer/scene/marbles.h"
+#include "tracer/scene/pebble.h"
 #include "tracer/scene/scene_file.h"
 #include "tracer/scene/studio.h"
 
@@ -56,19 +59,25 @@ Scene load_first_lights(const std::string& file, std::optional<int> light_count)
 }  // namespace
 
 std::span<const BuiltInScene> built_in_scenes() {
-  static constexpr std::array<BuiltInScene, 6> list{
-      {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)", 1,
-        make_chair_ball},
-       {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture", 3,
+  static constexpr std::array<BuiltInScene, 9> list{
+      {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)",
+        chair_triangle_count, 1, make_chair_ball},
+       {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture", 11416, 3,
         make_studio},
-       {"ice", "a block of ice with a hollow, half full of a liquid: three nested media", 2, make_ice},
-       {"cornell-glass", "a room with glass around water around air, and media that touch", 1,
+       {"ice", "a block of ice with a hollow, half full of a liquid: three nested media", 1764, 2, make_ice},
+       {"cornell-glass", "a room with glass around water around air, and media that touch", 34, 1,
         make_cornell_glass},
-       {"many-lights", "a field of balls under 64 coloured lamps: shadow rays are nearly all of the work", 64,
-        make_many_lights},
+       {"many-lights", "a field of balls under 64 coloured lamps: shadow rays are nearly all of the work", 0,
+        64, make_many_lights},
        {"marbles",
-        "a heap of glass marbles in the corner of an empty picture: the cost of tiles is very uneven", 2,
-        make_marbles}}};
+        "a heap of glass marbles in the corner of an empty picture: the cost of tiles is very uneven", 0, 2,
+        make_marbles},
+       {"pebble", "a lumpy stone of as many triangles as the Stanford bunny, and nothing else",
+        geodesic_triangle_count(pebble_frequency), 2, make_pebble},
+       {"planet", "mountains of a million triangles, finer than the pixels of a small picture",
+        geodesic_triangle_count(planet_frequency), 2, make_planet},
+       {"grotto", "a rock in a closed room, all of triangles: every ray hits, and every hit mirrors",
+        grotto_triangle_count, 2, make_grotto}}};
   return list;
 }
 

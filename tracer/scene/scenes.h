@@ -14,7 +14,8 @@ namespace raysweep {
 /// A scene of this project's own making.
 struct BuiltInScene {
   std::string_view name, summary;
-  int light_count;  // its own; others can be asked for
+  size_t triangle_count;  // told here, so that who chooses among scenes need not make a million triangles
+  int light_count;        // its own; others can be asked for
   Scene (*make)(int light_count);
 };
 
