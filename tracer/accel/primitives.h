@@ -56,8 +56,14 @@ class Primitives {
   [[nodiscard]] std::optional<T> intersect_triangle(uint32_t id, const Prepared& prepared, const Ray<T>& ray,
                                                     const SlabRay<T>& slab_ray, const Hit<T>& after) const {
     const auto hit = Method::intersect(ray, prepared);
-    if (!hit || !triangles_[id - first_triangle()].is_ahead_of(ray)) return std::nullopt;
-    return accept(id, hit->t, slab_ray, after);
+    return hit ? accept_triangle(id, hit->t, ray, slab_ray, after) : std::nullopt;
+  }
+
+  /// The distance at which triangle `id` counts as hit if its method found it at `t`: for methods that ran elsewhere.
+  [[nodiscard]] std::optional<T> accept_triangle(uint32_t id, T t, const Ray<T>& ray, const SlabRay<T>& slab_ray,
+                                                 const Hit<T>& after) const {
+    if (!triangles_[id - first_triangle()].is_ahead_of(ray)) return std::nullopt;
+    return accept(id, t, slab_ray, after);
   }
 
   /// The surface at `hit`, which must be one of `ray`'s.
