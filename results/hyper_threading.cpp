@@ -21,7 +21,7 @@ bool is_two_each(const Record& r) {
 }
 
 /// The factors in which the cells of a group agree.
-std::string group_key(const Record& r) {
+std::string key_without_threads_and_pin(const Record& r) {
   std::string key;
   for (const FactorText& f : factor_texts()) {
     if (f.name != "threads" && f.name != "pin") key += f.text(r) + "|";
@@ -44,7 +44,7 @@ const CellRow* find_within(const std::vector<CellRow>& rows, const CellRow& whol
   const auto processors = processors_of(whole.cell);
   const auto found = std::ranges::find_if(rows, [&](const CellRow& row) {
     return row.cell.threads == threads && is_placed(row.cell) &&
-           group_key(row.cell) == group_key(whole.cell) &&
+           key_without_threads_and_pin(row.cell) == key_without_threads_and_pin(whole.cell) &&
            std::ranges::includes(processors, processors_of(row.cell));
   });
   return found == rows.end() ? nullptr : &*found;

@@ -14,7 +14,7 @@ namespace raysweep {
 
 namespace {
 
-constexpr int fewest_launches = 7, fewest_comparisons = 20;
+constexpr int least_launches = 7, fewest_comparisons = 20;
 constexpr double reliable = 0.8;  // the usual power (Cohen 1988)
 
 /// A cell and its like, by round.
@@ -128,7 +128,7 @@ std::vector<Power> detection_power(const std::vector<Record>& records) {
   const auto study = find_study(records);
   if (!study) return all;
   const int rounds = study->base.empty() ? 0 : study->base.rbegin()->first + 1;
-  for (int launches = fewest_launches; rounds / launches >= fewest_comparisons; launches *= 2)
+  for (int launches = least_launches; rounds / launches >= fewest_comparisons; launches *= 2)
     all.push_back(power_of(*study, launches, rounds));
   return all;
 }
