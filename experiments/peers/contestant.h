@@ -1,0 +1,49 @@
+// Who takes part in a comparison of tracers.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tracer/ray_batch.h"
+
+namespace raysweep {
+
+/// One way to trace a batch of rays. Only `run` is timed.
+class Contestant {
+ public:
+  virtual ~Contestant() = default;
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// Takes `rays` over into its own layout; they must outlive the contestant. `any_hit`: only whether
+  /// something is in a ray's way, up to its `t_max`, is asked.
+  virtual void prepare(const RayBatch& rays, bool any_hit) = 0;
+  /// Undoes what a run wrote where the rays are; before each run.
+  virtual void reset() = 0;
+  virtual void run() = 0;
+  /// What the run just before has found; of `any_hit`, any id.
+  [[nodiscard]] virtual HitBatch hits() const = 0;
+};
+
+/// A contestant and what it may be compared as.
+struct Entrant {
+  std::unique_ptr<Contestant> contestant;
+  bool single = false;  // one ray at a time, with a hierarchy that nothing but rays was asked of
+  bool robust = false;  // promises to miss nothing at edges
+};
+
+/// What building took.
+struct BuildCost {
+  double seconds = 0;
+  size_t bytes = 0;  // held afterwards
+};
+
+/// All the ways of one tracer, for one scene.
+struct Team {
+  std::vector<Entrant> entrants;
+  std::vector<std::pair<std::string, BuildCost>> builds;  // by class: "medium", "high"
+};
+
+/// Builds are timed so many times; their median counts.
+inline constexpr int build_repeats = 3;
+
+}  // namespace raysweep
