@@ -16,8 +16,8 @@ CLI::App* add_verb(CommandLine& line, const std::string& name, const std::string
 void add_all_verbs(CommandLine& line) {
   line.app.require_subcommand(1);
   line.app.set_version_flag("--version", RAYSWEEP_VERSION);
-  for (const auto add :
-       {add_run, add_render, add_list, add_topology, add_doctor, add_report, add_compare, add_launch})
+  for (const auto add : {add_run, add_render, add_list, add_topology, add_doctor, add_report, add_compare,
+                         add_peers, add_launch})
     add(line);
 }
 

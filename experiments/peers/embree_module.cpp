@@ -1,0 +1,120 @@
+// The module that brings Embree.
+#include <algorithm>
+#include <array>
+
+#include "experiments/clock.h"
+#include "experiments/peers/embree_team.h"
+#include "results/statistics/statistics.h"
+#include "tracer/peers/embree_rays.h"
+
+namespace raysweep {
+
+namespace {
+
+class EmbreeContestant final : public Contestant {
+ public:
+  EmbreeContestant(std::string name, std::shared_ptr<const EmbreeScene> scene,
+                   std::shared_ptr<EmbreeRays> rays, bool coherent)
+      : name_(std::move(name)), scene_(std::move(scene)), rays_(std::move(rays)), coherent_(coherent) {}
+
+  [[nodiscard]] std::string name() const override { return name_; }
+  void prepare(const RayBatch& rays, bool any_hit) override { rays_->prepare(rays, any_hit); }
+  void reset() override { rays_->reset(); }
+  void run() override { rays_->trace(*scene_, coherent_); }
+  [[nodiscard]] HitBatch hits() const override { return rays_->hits(*scene_); }
+
+ private:
+  std::string name_;
+  std::shared_ptr<const EmbreeScene> scene_;
+  std::shared_ptr<EmbreeRays> rays_;  // shared by all of one width, who run one after the other
+  bool coherent_;
+};
+
+std::shared_ptr<const EmbreeScene> build(const Scene& scene, const EmbreeBuild& how, BuildCost& cost) {
+  std::vector<double> seconds;
+  const auto built = std::make_shared<EmbreeScene>(how);
+  for (int i = 0; i < build_repeats; ++i) {
+    const double begin = now_seconds();
+    built->build(scene);
+    seconds.push_back(now_seconds() - begin);
+  }
+  cost = {median(seconds), built->bytes()};
+  return built;
+}
+
+/// The instruction sets that Embree 3 has code of its own for and this processor has.
+std::vector<std::string> instruction_sets() {
+  std::vector<std::string> names;
+  for (const char* name : {"avx2", "avx512"}) {
+    try {
+      const EmbreeScene probe({name, false, false});
+      names.emplace_back(name);
+    } catch (const EmbreeError&) {
+      continue;
+    }
+  }
+  return names;
+}
+
+constexpr std::array widths{1, 4, 8, 16};
+
+class TeamMaker {
+ public:
+  explicit TeamMaker(const Scene& scene) : scene_(scene) {
+    for (size_t i = 0; i < widths.size(); ++i) rays_[i] = make_embree_rays(widths[i]);
+  }
+
+  void add(const EmbreeBuild& how) {
+    BuildCost cost;
+    const auto built = build(scene_, how, cost);
+    if (!how.robust) keep_quicker(how.high_quality ? "high" : "medium", cost);
+    for (size_t i = 0; i < widths.size(); ++i) {
+      for (const bool coherent : {true, false}) {
+        const std::string width = widths[i] == 1 ? "single" : std::to_string(widths[i]);
+        std::string name = how.name() + " " + width + (coherent ? " coherent" : " incoherent");
+        const bool single = widths[i] == 1 && !how.high_quality;
+        team_.entrants.push_back(
+            {std::make_unique<EmbreeContestant>(std::move(name), built, rays_[i], coherent), single,
+             how.robust});
+      }
+    }
+  }
+
+  [[nodiscard]] Team team() { return std::move(team_); }
+
+ private:
+  /// Of the instruction sets, the one that builds faster stands for a quality.
+  void keep_quicker(const std::string& quality, const BuildCost& cost) {
+    const auto known = std::ranges::find(team_.builds, quality, [](const auto& b) { return b.first; });
+    if (known == team_.builds.end()) {
+      team_.builds.emplace_back(quality, cost);
+    } else if (cost.seconds < known->second.seconds) {
+      known->second = cost;
+    }
+  }
+
+  const Scene& scene_;
+  std::array<std::shared_ptr<EmbreeRays>, widths.size()> rays_;
+  Team team_;
+};
+
+Team make_team(const Scene& scene, bool robust) {
+  TeamMaker maker(scene);
+  for (const std::string& isa : instruction_sets()) {
+    for (const bool high : {false, true}) {
+      maker.add({isa, high, false});
+      if (robust) maker.add({isa, high, true});
+    }
+  }
+  return maker.team();
+}
+
+}  // namespace
+
+}  // namespace raysweep
+
+extern "C" [[gnu::visibility("default")]] const raysweep::EmbreeModule* raysweep_embree_module() {
+  static const raysweep::EmbreeModule module{raysweep::embree_layout, raysweep::embree_version(),
+                                             raysweep::embree_has_assertions(), raysweep::make_team};
+  return &module;
+}

@@ -1,0 +1,141 @@
+#include "experiments/peers/peers.h"
+
+#include <fmt/format.h>
+
+#include "experiments/errors.h"
+#include "tracer/scene/scenes.h"
+
+namespace raysweep {
+
+namespace {
+
+struct NamedScene {
+  std::string name;
+  Scene scene;
+};
+
+std::vector<NamedScene> load_all(const std::vector<std::string>& names) {
+  std::vector<NamedScene> scenes;
+  for (const std::string& name : names) {
+    scenes.push_back({name, triangles_alone(load_scene(name))});
+    if (scenes.back().scene.triangle_count() == 0) {
+      throw RequestError(fmt::format(
+          "scene \"{}\" has no triangles, and peers compares triangles alone: name one with a mesh, "
+          "such as chair-ball",
+          name));
+    }
+  }
+  return scenes;
+}
+
+/// Of `contestant`'s, alone.
+HitBatch hits_of(Contestant& contestant) {
+  contestant.reset();
+  contestant.run();
+  return contestant.hits();
+}
+
+HitBatch oracle_hits(const OracleCore& core, const RayBatch& rays, bool any_hit) {
+  HitBatch hits(rays.size);
+  for (size_t i = 0; i < rays.size; ++i) {
+    hits.t[i] = rays.t_max[i];
+    if (any_hit) {
+      if (core.occluded(rays.ray(i), rays.t_max[i])) hits.id[i] = core.primitives().first_triangle();
+    } else if (const auto hit = core.closest(rays.ray(i), Hit<float>::start(), rays.t_max[i])) {
+      hits.t[i] = hit->t;
+      hits.id[i] = hit->id;
+    }
+  }
+  return hits;
+}
+
+/// One scene's part of the work.
+class SceneComparison {
+ public:
+  SceneComparison(const NamedScene& scene, const PeersRequest& request, const EmbreeModule& embree)
+      : scene_(scene),
+        request_(request),
+        oracle_(make_oracle(scene.scene)),
+        ours_(make_our_team(scene.scene)),
+        embree_(embree.make_team(scene.scene, is_robust(ours_))) {}
+
+  void add_builds(PeersResult& result) const {
+    for (const auto& [name, ours] : ours_.builds) {
+      for (const auto& [embree_name, embree] : embree_.builds) {
+        if (embree_name == name)
+          result.builds.push_back({scene_.name, scene_.scene.triangle_count(), name, ours, embree});
+      }
+    }
+  }
+
+  void add_rows(RayKind kind, PeersResult& result) const {
+    const RayBatch rays =
+        make_rays(kind, scene_.scene, oracle_, request_.width, request_.height, request_.duel.seed);
+    if (rays.size == 0) {
+      result.left_out.push_back(fmt::format("{}: no {} rays: nothing to start them at", scene_.name,
+                                            ray_kind_names[static_cast<size_t>(kind)]));
+      return;
+    }
+    const bool any_hit = asks_any_hit(kind);
+    const auto all = duel(ours_, embree_, rays, any_hit, oracle_hits(oracle_, rays, any_hit), request_.duel);
+    for (const DuelClass c : {DuelClass::single, DuelClass::best, DuelClass::robust}) {
+      auto row = make_row(all, c, rays, any_hit);
+      if (!row) continue;
+      row->scene = scene_.name;
+      row->triangles = scene_.scene.triangle_count();
+      row->kind = kind;
+      result.rows.push_back(std::move(*row));
+    }
+  }
+
+ private:
+  static bool is_robust(const Team& team) { return std::ranges::any_of(team.entrants, &Entrant::robust); }
+
+  const NamedScene& scene_;
+  const PeersRequest& request_;
+  OracleCore oracle_;
+  Team ours_, embree_;
+};
+
+}  // namespace
+
+std::optional<PeersRow> make_row(std::span<const Performance> all, DuelClass duel_class, const RayBatch& rays,
+                                 bool any_hit) {
+  const Performance* const ours = best_of(all, true, duel_class);
+  const Performance* const embree = best_of(all, false, duel_class);
+  if (!ours || !embree) return std::nullopt;
+  std::vector<double> ratios;
+  for (size_t round = 0; round < ours->rounds.size(); ++round)
+    ratios.push_back(ours->rounds[round] / embree->rounds[round]);
+  PeersRow row;
+  row.rays = rays.size;
+  row.duel_class = duel_class;
+  row.ours = ours->entrant->contestant->name();
+  row.embree = embree->entrant->contestant->name();
+  row.ours_per_second = median(ours->rounds);
+  row.embree_per_second = median(embree->rounds);
+  row.ratio = estimate_median(std::move(ratios));
+  row.between = differences(hits_of(*ours->entrant->contestant), hits_of(*embree->entrant->contestant),
+                            rays.size, any_hit);
+  row.ours_from_oracle = ours->from_oracle;
+  row.embree_from_oracle = embree->from_oracle;
+  return row;
+}
+
+PeersResult compare_with_embree(const PeersRequest& request, const EmbreeModule& embree,
+                                const std::function<void(const std::string&)>& say) {
+  const std::vector<NamedScene> scenes = load_all(request.scenes);
+  PeersResult result;
+  for (const NamedScene& scene : scenes) {
+    say(fmt::format("{}: building", scene.name));
+    const SceneComparison comparison(scene, request, embree);
+    comparison.add_builds(result);
+    for (const RayKind kind : request.kinds) {
+      say(fmt::format("{}: {} rays", scene.name, ray_kind_names[static_cast<size_t>(kind)]));
+      comparison.add_rows(kind, result);
+    }
+  }
+  return result;
+}
+
+}  // namespace raysweep

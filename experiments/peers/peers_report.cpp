@@ -1,0 +1,104 @@
+#include "experiments/peers/peers_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "results/tables/number_text.h"
+
+namespace raysweep {
+
+namespace {
+
+constexpr double mega = 1e6, mebibyte = 1024.0 * 1024.0;
+
+const char* name_of(RayKind kind) { return ray_kind_names[static_cast<size_t>(kind)]; }
+const char* name_of(DuelClass duel_class) { return duel_class_names[static_cast<size_t>(duel_class)]; }
+
+nlohmann::json to_json(const PeersRow& row) {
+  nlohmann::json json{{"scene", row.scene},        {"triangles", row.triangles},
+                      {"kind", name_of(row.kind)}, {"class", name_of(row.duel_class)},
+                      {"ours", row.ours},          {"ours_mrays", row.ours_per_second / mega},
+                      {"embree", row.embree},      {"embree_mrays", row.embree_per_second / mega},
+                      {"ratio", row.ratio.value},  {"low", nullptr},
+                      {"high", nullptr},           {"hits_differ", row.between.rays}};
+  if (row.ratio.interval) {
+    json["low"] = row.ratio.interval->low;
+    json["high"] = row.ratio.interval->high;
+  }
+  return json;
+}
+
+/// Null where nobody counted.
+nlohmann::json bytes_or_null(size_t bytes) {
+  return bytes > 0 ? nlohmann::json(bytes) : nlohmann::json(nullptr);
+}
+
+nlohmann::json to_json(const PeersBuild& build) {
+  return {{"scene", build.scene},
+          {"triangles", build.triangles},
+          {"class", build.build_class},
+          {"ours_seconds", build.ours.seconds},
+          {"embree_seconds", build.embree.seconds},
+          {"ours_bytes", bytes_or_null(build.ours.bytes)},
+          {"embree_bytes", bytes_or_null(build.embree.bytes)}};
+}
+
+/// "12 (9)": of 12 rays that differ, 9 do so in the same place.
+std::string in_words(const HitDifferences& d) {
+  return d.same_place > 0 ? fmt::format("{} ({})", d.rays, d.same_place) : std::to_string(d.rays);
+}
+
+std::string in_mebibytes(size_t bytes) {
+  return bytes > 0 ? significant(static_cast<double>(bytes) / mebibyte) : "–";
+}
+
+}  // namespace
+
+nlohmann::json to_json(const PeersResult& result) {
+  nlohmann::json json{{"rows", nlohmann::json::array()},
+                      {"pictures", nlohmann::json::array()},
+                      {"builds", nlohmann::json::array()}};
+  for (const PeersRow& row : result.rows) json["rows"].push_back(to_json(row));
+  for (const PeersBuild& build : result.builds) json["builds"].push_back(to_json(build));
+  return json;
+}
+
+Table rays_table(const PeersResult& result, const PeersRequest& request, const EmbreeModule& embree) {
+  Table table;
+  table.caption = fmt::format(
+      "peers: ours and Embree {}{} on the same rays, one thread; triangles alone, a ray a pixel of {} × {}; "
+      "{} rounds in random order, medians; ratio: ours / Embree's by round [95 % interval]\n"
+      "single: a ray at a time, Embree's medium quality; best: the fastest of all modes; hits that differ: "
+      "between the two, ours from the oracle, Embree's from the oracle (in the same place)",
+      embree.version, embree.has_assertions ? " (as packaged: with assertions, which cost it time)" : "",
+      request.width, request.height, request.duel.rounds);
+  table.columns = {{"scene", false}, {"kind", false}, {"rays"},          {"class", false},
+                   {"ours", false},  {"Mrays/s"},     {"Embree", false}, {"Mrays/s"},
+                   {"ratio"},        {"hits differ"}, {"ours off"},      {"Embree off"}};
+  for (const PeersRow& row : result.rows) {
+    table.rows.push_back({row.scene, name_of(row.kind), std::to_string(row.rays), name_of(row.duel_class),
+                          row.ours, significant(row.ours_per_second / mega), row.embree,
+                          significant(row.embree_per_second / mega), with_interval(row.ratio),
+                          in_words(row.between), in_words(row.ours_from_oracle),
+                          in_words(row.embree_from_oracle)});
+  }
+  return table;
+}
+
+Table builds_table(const PeersResult& result) {
+  Table table;
+  table.caption = fmt::format(
+      "Builds: from triangles to what rays are traced in, one thread, median of {}; class: Embree's quality",
+      build_repeats);
+  table.columns = {{"scene", false}, {"triangles"}, {"class", false}, {"ours, ms"},
+                   {"Embree, ms"},   {"ours, MiB"}, {"Embree, MiB"}};
+  for (const PeersBuild& build : result.builds) {
+    table.rows.push_back({build.scene, std::to_string(build.triangles), build.build_class,
+                          significant(build.ours.seconds * 1e3), significant(build.embree.seconds * 1e3),
+                          in_mebibytes(build.ours.bytes), in_mebibytes(build.embree.bytes)});
+  }
+  return table;
+}
+
+}  // namespace raysweep

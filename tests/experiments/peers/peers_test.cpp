@@ -1,0 +1,123 @@
+// A whole comparison, small, with the real Embree where it is.
+#include "experiments/peers/peers.h"
+
+#include <gtest/gtest.h>
+
+#include "experiments/errors.h"
+#include "tests/experiments/peers/fake_contestant.h"
+#include "tracer/scene/scenes.h"
+
+namespace raysweep {
+namespace {
+
+PeersRequest small_request(const char* scene) {
+  PeersRequest request;
+  request.scenes = {scene};
+  request.width = 64;
+  request.height = 48;
+  request.duel.rounds = 6;
+  request.duel.run_seconds = 1e-4;
+  return request;
+}
+
+const auto say_nothing = [](const std::string&) {};
+
+TEST(peers, compares_triangles_alone) {
+  const Scene scene = triangles_alone(load_scene("chair-ball"));
+  EXPECT_TRUE(scene.planes.empty());
+  EXPECT_TRUE(scene.spheres.empty());
+  EXPECT_EQ(scene.triangle_count(), 10817u);
+}
+
+TEST(peers, refuses_a_scene_without_triangles) {
+  const EmbreeModule unused;
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    const std::string name(built_in.name);
+    if (load_scene(name).triangle_count() > 0) continue;
+    try {
+      (void)compare_with_embree(small_request(name.c_str()), unused, say_nothing);
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const RequestError& error) {
+      EXPECT_EQ(std::string(error.what()).find("scene \"" + name + "\" has no triangles"), 0u)
+          << error.what();
+    }
+  }
+}
+
+TEST(peers, our_team_finds_what_the_oracle_finds) {
+  const Scene scene = triangles_alone(load_scene("chair-ball"));
+  const OracleCore oracle = make_oracle(scene);
+  const Team team = make_our_team(scene);
+  for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::mirror, RayKind::diffuse}) {
+    const RayBatch rays = make_rays(kind, scene, oracle, 64, 48, 1);
+    for (const Entrant& entrant : team.entrants) {
+      entrant.contestant->prepare(rays, asks_any_hit(kind));
+      entrant.contestant->reset();
+      entrant.contestant->run();
+      const HitBatch hits = entrant.contestant->hits();
+      for (size_t i = 0; i < rays.size; ++i) {
+        if (asks_any_hit(kind)) {
+          EXPECT_EQ(hits.id[i] != no_hit_id, oracle.occluded(rays.ray(i), rays.t_max[i]));
+        } else {
+          const auto hit = oracle.closest(rays.ray(i));
+          EXPECT_EQ(hits.id[i], hit ? hit->id : no_hit_id);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(DuelOf, a_row_tells_who_is_faster_and_where_hits_differ) {
+  enter(ours, "ours", 1, true, false, 7);
+  enter(embree, "embree", 50, true, false, 8);
+  const auto row = make_row(run(), DuelClass::single, rays, false);
+  ASSERT_TRUE(row.has_value());
+  EXPECT_EQ(row->ours, "ours");
+  EXPECT_EQ(row->embree, "embree");
+  EXPECT_EQ(row->rays, ray_count);
+  EXPECT_GT(row->ratio.value, 1);
+  ASSERT_TRUE(row->ratio.interval.has_value());
+  EXPECT_LE(row->ratio.interval->low, row->ratio.value);
+  EXPECT_GE(row->ratio.interval->high, row->ratio.value);
+  EXPECT_EQ(row->between.rays, ray_count);
+  EXPECT_EQ(row->ours_from_oracle.rays, 0u);
+  EXPECT_EQ(row->embree_from_oracle.rays, ray_count);
+}
+
+TEST_F(DuelOf, a_class_that_one_of_the_two_has_not_got_has_no_row) {
+  enter(ours, "ours", 1, true);
+  enter(embree, "robust", 1, false, true);
+  for (const DuelClass c : {DuelClass::single, DuelClass::best, DuelClass::robust})
+    EXPECT_FALSE(make_row(run(), c, rays, false).has_value());
+}
+
+#if RAYSWEEP_HAS_EMBREE
+TEST(peers, has_a_row_for_every_kind_and_class_and_two_builds) {
+  const PeersResult result = compare_with_embree(small_request("chair-ball"), load_embree(), say_nothing);
+  EXPECT_EQ(result.rows.size(), 4u * 2) << "single and best; robust where ours has it";
+  for (const PeersRow& row : result.rows) {
+    EXPECT_GT(row.ratio.value, 0);
+    EXPECT_GT(row.ours_per_second, 0);
+    EXPECT_EQ(row.ours_from_oracle.rays, 0u) << "our team promises our oracle's hits";
+    EXPECT_LE(row.between.rays, row.rays / 500 + 2) << "Embree may differ at edges";
+    EXPECT_TRUE(row.duel_class != DuelClass::single || row.embree.find("medium single") != std::string::npos)
+        << row.embree;
+  }
+  ASSERT_EQ(result.builds.size(), 2u);
+  EXPECT_EQ(result.builds[0].build_class, "medium");
+  EXPECT_EQ(result.builds[1].build_class, "high");
+  for (const PeersBuild& build : result.builds) EXPECT_GT(build.embree.bytes, 100'000u);
+}
+
+TEST(peers, leaves_a_kind_without_rays_out_and_says_so) {
+  PeersRequest request = small_request("chair-ball");
+  request.width = request.height = 1;  // its only ray passes by
+  const PeersResult result = compare_with_embree(request, load_embree(), say_nothing);
+  for (const std::string& sentence : result.left_out)
+    EXPECT_NE(sentence.find("nothing to start them at"), std::string::npos);
+  EXPECT_EQ(result.rows.size() + 2 * result.left_out.size(), 8u);
+}
+#endif
+
+}  // namespace
+}  // namespace raysweep
