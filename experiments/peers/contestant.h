@@ -27,7 +27,7 @@ class Contestant {
 /// A contestant and what it may be compared as.
 struct Entrant {
   std::unique_ptr<Contestant> contestant;
-  bool single = false;  // one ray at a time, with a hierarchy that nothing but rays was asked of
+  bool single = false;  // one ray at a time, and a hierarchy of usual quality
   bool robust = false;  // promises to miss nothing at edges
 };
 

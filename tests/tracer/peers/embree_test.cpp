@@ -1,6 +1,7 @@
 // Embree finds what brute force finds, packets find what single rays find.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -228,6 +229,29 @@ TEST(embree, leaves_denormals_as_they_were) {
 #endif
   }
   EXPECT_GT(tiny * 1.0f, 0.0f);
+}
+
+TEST(embree, forgets_at_a_reset_what_the_last_run_found) {
+  const Scene scene = triangles_of("chair-ball");
+  const Oracle core = oracle_of(scene);
+  EmbreeScene embree({"avx2", false, false});
+  embree.build(scene);
+  for (const bool any_hit : {false, true}) {
+    const RayBatch rays =
+        any_hit ? batch_of(make_rays<float>(scene, core, "shadow", 100)) : nearest_rays(scene, core, 100);
+    const auto packets = make_embree_rays(8);
+    packets->prepare(rays, any_hit);
+    packets->trace(embree, true);
+    const auto found = [&] {
+      const HitBatch hits = packets->hits(embree);
+      return std::ranges::count_if(hits.id, [](uint32_t id) { return id != no_hit_id; });
+    };
+    EXPECT_GT(found(), 0);
+    packets->reset();
+    EXPECT_EQ(found(), 0);
+    const HitBatch hits = packets->hits(embree);
+    for (size_t i = 0; i < rays.size; ++i) EXPECT_EQ(hits.t[i], rays.t_max[i]);
+  }
 }
 
 TEST(embree, traces_no_rays_at_all) {
