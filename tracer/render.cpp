@@ -15,6 +15,7 @@ std::unique_ptr<const Renderer> make_renderer(const Scene& scene, const RenderSe
   std::unique_ptr<const Renderer> renderer;
   if (settings.core == "scalar") renderer = make_scalar_renderer(scene, settings);
   if (settings.core == "m11") renderer = make_m11_renderer(scene, settings);
+  if (settings.core == "wide") renderer = make_wide_renderer(scene, settings);
   if (!renderer) {
     throw std::invalid_argument("no renderer for core \"" + settings.core + "\", precision \"" +
                                 settings.precision + "\", method \"" + settings.method + "\"");

@@ -14,6 +14,9 @@ namespace raysweep {
                                                                    const RenderSettings& settings);
 [[nodiscard]] std::unique_ptr<const Renderer> make_m11_renderer(const Scene& scene,
                                                                 const RenderSettings& settings);
+/// Throws std::invalid_argument if the instruction set does not run here.
+[[nodiscard]] std::unique_ptr<const Renderer> make_wide_renderer(const Scene& scene,
+                                                                 const RenderSettings& settings);
 
 /// Scenes in which nothing refracts take the paths that know nothing of it.
 template <class Core>

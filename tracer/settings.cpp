@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tracer/intersect/all.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 
@@ -16,8 +17,9 @@ std::span<const Mode> modes() {
 }
 
 std::span<const Choice> cores() {
-  static constexpr std::array<Choice, 2> list{
+  static constexpr std::array<Choice, 3> list{
       {{"scalar", "flat nodes, nearer child first, cut off behind the nearest hit"},
+       {"wide", "nodes of 4 or 8 children, many rays in flight, SIMD by --isa; float only"},
        {"m11", "Morozov 2011: recursive, pointer nodes, both children always visited, virtual primitives"}}};
   return list;
 }
@@ -52,6 +54,15 @@ std::span<const Choice> methods() {
   static const std::vector<Choice> list = [] {
     std::vector<Choice> all;
     for_each_method([&](auto method) { all.push_back({method.name, method.summary}); });
+    return all;
+  }();
+  return list;
+}
+
+std::span<const Choice> isas() {
+  static const std::vector<Choice> list = [] {
+    std::vector<Choice> all;
+    for (const Isa& isa : built_isas()) all.push_back({isa.name, isa.summary});
     return all;
   }();
   return list;

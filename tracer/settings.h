@@ -21,6 +21,7 @@ struct RenderSettings {
   std::string core = "scalar";
   std::string precision = "float";
   std::string method = "moller_trumbore";
+  std::string isa = "best";  // instruction set of the core "wide": one of isas(); "best" is the best here
 };
 
 /// Bounds of the settings' numbers, both included.
@@ -50,5 +51,8 @@ struct Choice {
 [[nodiscard]] std::span<const Choice> precisions();
 [[nodiscard]] std::span<const Choice> patterns();
 [[nodiscard]] std::span<const Choice> methods();
+
+/// Instruction sets that this program has, best first, whether or not this machine has them: runs_here().
+[[nodiscard]] std::span<const Choice> isas();
 
 }  // namespace raysweep

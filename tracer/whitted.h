@@ -13,8 +13,10 @@ class Whitted final : public Renderer {
  public:
   using T = typename Core::Real;
 
-  Whitted(const Scene& scene, const RenderSettings& settings)
-      : core_(scene, settings.accel, settings.leaf),
+  /// `more` goes to the core.
+  template <class... More>
+  Whitted(const Scene& scene, const RenderSettings& settings, const More&... more)
+      : core_(scene, settings.accel, settings.leaf, more...),
         paths_(scene, settings),
         view_(scene.camera, settings.width, settings.height) {
     for (const Subpixel& s : make_pattern(settings.pattern, settings.subpixels)) {

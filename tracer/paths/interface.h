@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "tracer/accel/primitives.h"
 #include "tracer/shade/media.h"

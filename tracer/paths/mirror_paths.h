@@ -1,9 +1,8 @@
 // Paths through scenes in which everything is opaque: from mirror to mirror, one ray at a time.
 #pragma once
 
-#include "tracer/settings.h"
+#include "tracer/paths/path_end.h"
 #include "tracer/shade/lighting.h"
-#include "tracer/shade/radiance_bound.h"
 
 namespace raysweep {
 
@@ -14,11 +13,7 @@ class MirrorPaths {
   struct Scratch {};
 
   MirrorPaths(const Scene& scene, const RenderSettings& settings)
-      : lighting_(scene),
-        bound_(scene, settings.depth),
-        background_(scene.background),
-        depth_(settings.depth),
-        tolerance_(settings.pixel_tolerance) {}
+      : lighting_(scene), end_(scene, settings), background_(scene.background) {}
 
   /// What `ray` brings back. A loop, not a recursion: any depth fits on any worker's stack.
   Vec3<T> trace(const Core& core, Ray<T> ray, RenderCounts& counts, Scratch&) const {
@@ -36,35 +31,16 @@ class MirrorPaths {
       };
       sum += weight *
              lighting_.at(material, mirrored.origin, surface.normal, ray.direction, counts.rays, visible);
-      if (material.reflect == 0) return sum;
-      if (level == depth_) {
-        counts.left_out.by_depth++;
-        return sum;
-      }
-      weight *= material.reflect;
-      if (tolerance_ > 0 && ends_here(weight, depth_ - level, counts.left_out)) return sum;
+      if (end_.is_here(material, level, weight, counts.left_out)) return sum;
       ray = mirrored;
       counts.rays.reflected++;
     }
   }
 
  private:
-  /// The whole rest of the sample is one ray, and a ray with `levels` levels left returns at most their
-  /// bound: where that, weighted, is within the tolerance, no channel loses more than the tolerance by
-  /// ending. A pixel is the mean of its samples, so it does not either.
-  bool ends_here(T weight, int levels, LeftOut& left_out) const {
-    const double rest = static_cast<double>(weight) * bound_.at(levels);
-    if (!(rest <= tolerance_)) return false;
-    left_out.by_tolerance++;
-    left_out.bound = std::max(left_out.bound, rest);
-    return true;
-  }
-
   Lighting<T> lighting_;
-  RadianceBound bound_;
+  PathEnd<T> end_;
   Vec3<T> background_;
-  int depth_;
-  double tolerance_;
 };
 
 }  // namespace raysweep

@@ -26,7 +26,29 @@ class Lighting {
   Vec3<T> at(const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal,
              const Vec3<T>& from_eye, RayCounts& rays, Visible&& visible) const {
     Vec3<T> sum = material.ambient;
-    if (!material.answers_light) return sum;
+    for_each_light(material, point, normal, rays, [&](const LitRay& to_light) {
+      const auto share = visible(to_light.ray, to_light.distance);
+      if constexpr (std::is_same_v<decltype(share), const bool>) {
+        if (share) sum += to_light.intensity * light(material, normal, to_light, from_eye);
+      } else {
+        sum += to_light.intensity * share * light(material, normal, to_light, from_eye);
+      }
+    });
+    return sum;
+  }
+
+  /// A ray from a point to a light in front of its surface.
+  struct LitRay {
+    Ray<T> ray;
+    T distance, cosine;
+    Vec3<T> intensity;
+  };
+
+  /// Shows `visit` a ray to each light that may be seen from `point`, in the lights' order, and counts it.
+  template <class Visit>
+  void for_each_light(const Surfacing<T>& material, const Vec3<T>& point, const Vec3<T>& normal,
+                      RayCounts& rays, Visit&& visit) const {
+    if (!material.answers_light) return;
     for (const PointLight& light : lights_) {
       const Vec3<T> towards = light.position - point;
       const T distance = length(towards);
@@ -35,15 +57,17 @@ class Lighting {
       // Behind the surface: dark without asking. So is a light in the very point.
       if (!(cosine > 0 && distance > 0)) continue;
       rays.shadow++;
-      const auto share = visible(Ray<T>{point, to_light}, distance);
-      if constexpr (std::is_same_v<decltype(share), const bool>) {
-        if (share) sum += light.intensity * phong(material, normal, to_light, cosine, from_eye);
-      } else {
-        sum += light.intensity * share * phong(material, normal, to_light, cosine, from_eye);
-      }
+      visit(LitRay{{point, to_light}, distance, cosine, light.intensity});
     }
-    return sum;
   }
+
+  /// What a light of intensity 1 adds if nothing is in its way.
+  [[nodiscard]] static Vec3<T> light(const Surfacing<T>& material, const Vec3<T>& normal,
+                                     const LitRay& to_light, const Vec3<T>& from_eye) {
+    return phong(material, normal, to_light.ray.direction, to_light.cosine, from_eye);
+  }
+
+  [[nodiscard]] size_t light_count() const { return lights_.size(); }
 
  private:
   struct PointLight {

@@ -1,0 +1,53 @@
+// Traversal of batches of rays, compiled once for every instruction set that the library can choose at run
+// time.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "tracer/intersect/moller_trumbore.h"
+#include "tracer/intersect/morozov.h"
+#include "tracer/wide/geometry.h"
+
+namespace raysweep {
+
+/// Memory that kernels work in; one for each thread, kept from batch to batch.
+class KernelScratch {
+ public:
+  /// At least `bytes` that begin a cache line; what they held is lost.
+  [[nodiscard]] void* reserve(size_t bytes) {
+    if (bytes > size_) {
+      memory_.reset(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{64})));
+      size_ = bytes;
+    }
+    return memory_.get();
+  }
+
+  /// Rays of the last batch that the kernel left to exact traversal.
+  std::vector<uint32_t> left_over;
+
+ private:
+  struct Delete {
+    void operator()(std::byte* memory) const { ::operator delete (memory, std::align_val_t{64}); }
+  };
+  std::unique_ptr<std::byte, Delete> memory_;
+  size_t size_ = 0;
+};
+
+/// For each ray the nearest hit before the one that `hits` holds already (a distance with no id is a limit),
+/// or, of the kernel `any`, some hit nearer than that distance. Rays with directions or origins beyond 2^±60
+/// or not finite are listed in `scratch.left_over` and keep their hits.
+template <class Method, int width>
+using BatchKernel = void (*)(const WideGeometry<Method, width>& geometry, const RayBatch& rays,
+                             HitBatch& hits, KernelScratch& scratch);
+
+template <class Method, int width>
+struct BatchKernels {
+  BatchKernel<Method, width> closest = nullptr, any = nullptr;
+};
+
+/// Null where this program or this machine has no such instruction set, or its vectors are of another width.
+template <class Method, int width>
+[[nodiscard]] BatchKernels<Method, width> kernels_for(std::string_view isa);
+
+}  // namespace raysweep

@@ -1,0 +1,102 @@
+// Vectors of lanes and the methods over them. Read once for each instruction set, hence the guard of
+// Highway's kind.
+#if defined(RAYSWEEP_WIDE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYSWEEP_WIDE_LANES_INL_H_
+#undef RAYSWEEP_WIDE_LANES_INL_H_
+#else
+#define RAYSWEEP_WIDE_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "tracer/intersect/moller_trumbore.h"
+#include "tracer/intersect/morozov.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raysweep {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many lanes as the target's vectors have, but 8 at most.
+inline constexpr int lane_count = HWY_MAX_BYTES >= 32 ? 8 : 4;
+using Floats = hn::FixedTag<float, lane_count>;
+using Words = hn::FixedTag<uint32_t, lane_count>;
+using FloatLanes = hn::Vec<Floats>;
+using WordLanes = hn::Vec<Words>;
+using LaneMask = hn::Mask<Floats>;
+
+/// Vec3 with the same operations in the same order, so that lanes round as scalars do: no fused operations.
+struct Lanes3 {
+  FloatLanes x, y, z;
+};
+
+HWY_INLINE Lanes3 broadcast(float x, float y, float z) {
+  const Floats d;
+  return {hn::Set(d, x), hn::Set(d, y), hn::Set(d, z)};
+}
+HWY_INLINE Lanes3 load_rows(const float (*rows)[lane_count]) {
+  const Floats d;
+  return {hn::Load(d, rows[0]), hn::Load(d, rows[1]), hn::Load(d, rows[2])};
+}
+HWY_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE FloatLanes dot(const Lanes3& a, const Lanes3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// TriangleHit of each lane, before any test.
+struct LaneHits {
+  FloatLanes t, beta, gamma;
+};
+
+/// The formula of MollerTrumbore::intersect without its early ends.
+HWY_INLINE LaneHits solve(MollerTrumbore, const Lanes3& origin, const Lanes3& direction,
+                          const float (*rows)[lane_count]) {
+  const Lanes3 a = load_rows(rows), ab = load_rows(rows + 3), ac = load_rows(rows + 6);
+  const Lanes3 p = cross(direction, ac);
+  const FloatLanes inverse = hn::Div(hn::Set(Floats(), 1.0f), dot(ab, p));
+  const Lanes3 ao = minus(origin, a);
+  const Lanes3 q = cross(ao, ab);
+  return {hn::Mul(dot(ac, q), inverse), hn::Mul(dot(ao, p), inverse), hn::Mul(dot(direction, q), inverse)};
+}
+
+/// The formula of Morozov::intersect without its early ends.
+HWY_INLINE LaneHits solve(Morozov, const Lanes3& origin, const Lanes3& direction,
+                          const float (*rows)[lane_count]) {
+  const Lanes3 v0 = load_rows(rows), e1 = load_rows(rows + 3), e2 = load_rows(rows + 6),
+               n = load_rows(rows + 9);
+  const FloatLanes inverse = hn::Div(hn::Set(Floats(), 1.0f), dot(direction, n));
+  const Lanes3 to_plane = minus(v0, origin);
+  const Lanes3 s = cross(to_plane, direction);
+  return {hn::Mul(dot(to_plane, n), inverse), hn::Mul(dot(s, e2), inverse), hn::Mul(dot(s, e1), inverse)};
+}
+
+/// Lanes with 0 < t < ∞, β ≥ 0, γ ≥ 0, β + γ ≤ 1; NaN anywhere is a miss.
+HWY_INLINE LaneMask is_hit(const LaneHits& hits) {
+  const Floats d;
+  const FloatLanes zero = hn::Zero(d);
+  const LaneMask inside = hn::And(hn::And(hn::Ge(hits.beta, zero), hn::Ge(hits.gamma, zero)),
+                                  hn::Le(hn::Add(hits.beta, hits.gamma), hn::Set(d, 1.0f)));
+  const LaneMask ahead =
+      hn::And(hn::Gt(hits.t, zero), hn::Lt(hits.t, hn::Set(d, std::numeric_limits<float>::infinity())));
+  return hn::And(inside, ahead);
+}
+
+/// One bit a lane.
+HWY_INLINE uint32_t bits_of(LaneMask mask) {
+  uint8_t bits[8];  // Highway writes up to 8 bytes
+  hn::StoreMaskBits(Floats(), mask, bits);
+  return bits[0];
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raysweep
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,339 @@
+// Many single rays in flight. What limits one ray's way down a hierarchy is latency: which node comes next is
+// known about 35 cycles after a node was begun, and guessing it by a branch fails about once a node on
+// incoherent rays. So `slot_count` rays take turns, each a step at a time, without a branch that depends on a
+// ray; their steps overlap in the processor. Rays are sorted by what they need next (a node, a block of
+// triangles, a hit looked at, a new ray) into lists whose lengths are all that branches depend on.
+#if defined(RAYSWEEP_WIDE_STREAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYSWEEP_WIDE_STREAM_INL_H_
+#undef RAYSWEEP_WIDE_STREAM_INL_H_
+#else
+#define RAYSWEEP_WIDE_STREAM_INL_H_
+#endif
+
+#include <bit>
+
+#include "tracer/wide/kernels.h"
+#include "tracer/wide/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raysweep {
+namespace HWY_NAMESPACE {
+
+/// Rays in flight: enough to hide latency and to make the lists' ends rare, few enough to stay in the first
+/// cache.
+inline constexpr uint32_t slot_count = 32;
+
+/// What a wide node's planes are compared with, for one ray: t = plane·reciprocal + offset.
+///
+/// One fused operation a plane instead of `slab`'s two, and still no box is lost that `slab` keeps. With u =
+/// 2⁻²⁴ and v = (plane − origin)·reciprocal, `slab` finds v(1 ± 2u). Here −origin·reciprocal is c(1 ± u), and
+/// moving it by 4u|c|, down for near planes and up for far ones, outweighs that and the rounding of the sum;
+/// what is left is v(1 ± u) on the safe side. Limits and far distances are widened by 1 + 32u, more than all
+/// relative errors together, `slab`'s own widening included. `smallest` outweighs underflow. Needed: no
+/// overflow, hence `is_regular`.
+struct alignas(64) Slot {
+  float reciprocal[4], near_offset[4], far_offset[4];
+  uint32_t near_plane[4];  // bytes into a node; [3]: of the octant's order
+  float origin[4], direction[4];
+  float limit;  // `t`, widened
+  uint32_t top;
+  WideChild current;
+  uint32_t ray;
+  float t;  // the nearest hit so far
+  uint32_t id;
+  uint32_t candidates, block;  // lanes of `block` that may be nearer, at `distances`
+  float distances[8];
+  uint32_t bottom;  // of its stack
+};
+
+inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
+inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
+inline constexpr WideChild sentinel = leaf_bit;  // the block without primitives: the end of a ray's stack
+
+template <class Method, bool any>
+class Stream {
+ public:
+  using Geometry = WideGeometry<Method, lane_count>;
+  using Node = WideNode<lane_count>;
+  using Block = typename Geometry::Block;
+  static_assert(sizeof(WideNode<8>) == 256 && offsetof(WideNode<8>, children) == 192);
+
+  Stream(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
+      : primitives_(*geometry.primitives),
+        nodes_(geometry.tree.nodes.data()),
+        blocks_(geometry.blocks.data()),
+        rays_(rays),
+        hits_(hits),
+        left_over_(scratch.left_over) {
+    // A vector's store at the top of a stack reaches past it.
+    const size_t stack_size = padded_to_lanes(geometry.tree.stack_size() + lane_count);
+    char* memory = static_cast<char*>(scratch.reserve(slot_count * (sizeof(Slot) + stack_size * 8) +
+                                                      list_count * slot_count * sizeof(uint32_t)));
+    slots_ = memory;
+    stack_ = reinterpret_cast<WideChild*>(memory + slot_count * sizeof(Slot));
+    enters_ = reinterpret_cast<float*>(stack_ + slot_count * stack_size);
+    auto* lists = reinterpret_cast<uint32_t*>(enters_ + slot_count * stack_size);
+    for (uint32_t** list : {&nodes_next_, &nodes_now_, &leaves_, &candidates_, &ended_}) {
+      *list = lists;
+      lists += slot_count;
+    }
+    for (uint32_t i = 0; i < slot_count; ++i) {
+      Slot& slot = *new (slots_ + i * sizeof(Slot)) Slot;
+      slot.bottom = static_cast<uint32_t>(i * stack_size);
+      stack_[slot.bottom] = sentinel;
+      enters_[slot.bottom] = -1;  // never cut off
+    }
+  }
+
+  HWY_ATTR void run() {
+    uint32_t node_count = 0;
+    leaf_count_ = 0;
+    for (uint32_t i = 0; i < slot_count && next_ray_ < rays_.size; ++i) {
+      const auto slot = static_cast<uint32_t>(i * sizeof(Slot));
+      load(slot);
+      nodes_now_[node_count++] = slot;
+    }
+    while (node_count + leaf_count_ > 0) {
+      next_count_ = candidate_count_ = ended_count_ = 0;
+      visit_nodes(node_count);
+      visit_leaves();
+      for (uint32_t i = 0; i < candidate_count_; ++i) look_at_candidates(candidates_[i]);
+      for (uint32_t i = 0; i < ended_count_; ++i) end(ended_[i]);
+      std::swap(nodes_now_, nodes_next_);
+      node_count = next_count_;
+    }
+  }
+
+ private:
+  static constexpr size_t list_count = 5;
+
+  HWY_INLINE Slot& slot_at(uint32_t offset) const { return *reinterpret_cast<Slot*>(slots_ + offset); }
+
+  /// Puts the ray into the list of what it needs next. Every list is written, one of them grows: no branch.
+  HWY_INLINE void enlist(uint32_t slot, WideChild next, uint32_t is_candidate, uint32_t* leaves,
+                         uint32_t& leaf_count) {
+    const uint32_t is_leaf = (next >> 31) & (1 - is_candidate),
+                   is_end = (next == sentinel ? 1u : 0u) & is_leaf;
+    nodes_next_[next_count_] = slot;
+    next_count_ += 1 - is_leaf - is_candidate;
+    leaves[leaf_count] = slot;
+    leaf_count += is_leaf - is_end;
+    ended_[ended_count_] = slot;
+    ended_count_ += is_end;
+  }
+
+  /// Begins the next ray at the root.
+  HWY_INLINE void load(uint32_t offset) {
+    const hn::FixedTag<float, 4> d;
+    const hn::FixedTag<uint32_t, 4> du;
+    Slot& slot = slot_at(offset);
+    const size_t i = next_ray_++;
+    auto origin = hn::Zero(d), direction = hn::Set(d, 1.0f);
+    origin = hn::InsertLane(origin, 0, rays_.origin_x[i]);
+    origin = hn::InsertLane(origin, 1, rays_.origin_y[i]);
+    origin = hn::InsertLane(origin, 2, rays_.origin_z[i]);
+    direction = hn::InsertLane(direction, 0, rays_.direction_x[i]);
+    direction = hn::InsertLane(direction, 1, rays_.direction_y[i]);
+    direction = hn::InsertLane(direction, 2, rays_.direction_z[i]);
+    const auto size = hn::Abs(direction);
+    const bool is_regular = hn::AllTrue(
+        d, hn::And(hn::And(hn::Ge(size, hn::Set(d, regular_low)), hn::Le(size, hn::Set(d, regular_high))),
+                   hn::Le(hn::Abs(origin), hn::Set(d, regular_high))));
+    const auto reciprocal = hn::Div(hn::Set(d, 1.0f), direction);
+    const auto c = hn::Neg(hn::Mul(origin, reciprocal));
+    const auto error = hn::Add(hn::Mul(hn::Abs(c), hn::Set(d, offset_error)), hn::Set(d, smallest));
+    hn::Store(reciprocal, d, slot.reciprocal);
+    hn::Store(hn::Sub(c, error), d, slot.near_offset);
+    hn::Store(hn::Add(c, error), d, slot.far_offset);
+    hn::Store(origin, d, slot.origin);
+    hn::Store(direction, d, slot.direction);
+    constexpr uint32_t row = lane_count * sizeof(float);
+    alignas(16) static constexpr uint32_t lower[4] = {0, 2 * row, 4 * row, 0};
+    const auto sign = hn::ShiftRight<31>(hn::BitCast(du, direction));
+    hn::Store(hn::Add(hn::Mul(sign, hn::Set(du, row)), hn::Load(du, lower)), du, slot.near_plane);
+    const auto sign_of = [](float x) { return std::bit_cast<uint32_t>(x) >> 31; };
+    const uint32_t octant =
+        sign_of(rays_.direction_x[i]) + 2 * sign_of(rays_.direction_y[i]) + 4 * sign_of(rays_.direction_z[i]);
+    slot.near_plane[3] = static_cast<uint32_t>(offsetof(Node, far_to_near)) + octant * 4;
+    slot.ray = static_cast<uint32_t>(i);
+    slot.t = hits_.t[i];
+    slot.id = hits_.id[i];
+    slot.limit = slot.t * widening;
+    slot.top = slot.bottom + 1;
+    slot.current = 0;
+    if (HWY_UNLIKELY(!is_regular)) {
+      left_over_.push_back(slot.ray);
+      slot.limit = -1;  // no box is near enough
+    }
+  }
+
+  HWY_INLINE void visit_nodes(uint32_t count) {
+    const Floats d;
+    const Words dw;
+    const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity()),
+                     wider = hn::Set(d, widening);
+    const WordLanes shifts = hn::Mul(hn::Iota(dw, 0), hn::Set(dw, Node::order_bits));
+    constexpr size_t row = lane_count * sizeof(float);
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t offset = nodes_now_[i];
+      Slot& slot = slot_at(offset);
+      const char* const node = reinterpret_cast<const char*>(nodes_ + slot.current);
+      const auto plane = [node](size_t at) HWY_ATTR {
+        return hn::Load(Floats(), reinterpret_cast<const float*>(node + at));
+      };
+      const auto meet = [&](size_t at, int axis, const float* offsets) HWY_ATTR {
+        return hn::MulAdd(plane(at), hn::Set(Floats(), slot.reciprocal[axis]),
+                          hn::Set(Floats(), offsets[axis]));
+      };
+      const size_t x = slot.near_plane[0], y = slot.near_plane[1], z = slot.near_plane[2];
+      const FloatLanes enter = hn::Max(hn::Max(meet(x, 0, slot.near_offset), meet(y, 1, slot.near_offset)),
+                                       hn::Max(meet(z, 2, slot.near_offset), hn::Zero(d)));
+      // Rows of lower and upper planes take turns: the far one's place differs by one bit.
+      const FloatLanes leave =
+          hn::Min(meet(x ^ row, 0, slot.far_offset),
+                  hn::Min(meet(y ^ row, 1, slot.far_offset), meet(z ^ row, 2, slot.far_offset)));
+      const LaneMask met = hn::Le(enter, hn::Min(hn::Mul(leave, wider), hn::Set(d, slot.limit)));
+      const WordLanes children =
+          hn::Load(dw, reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
+      uint32_t top = slot.top;
+      if constexpr (any) {
+        hn::StoreU(hn::Compress(children, hn::RebindMask(dw, met)), dw, stack_ + top);
+        top += static_cast<uint32_t>(hn::CountTrue(d, met));
+      } else {
+        const uint32_t order = *reinterpret_cast<const uint32_t*>(node + slot.near_plane[3]);
+        const WordLanes by_distance = in_range(hn::Shr(hn::Set(dw, order), shifts));
+        const FloatLanes keys =
+            hn::TableLookupLanes(hn::IfThenElse(met, enter, infinity), hn::IndicesFromVec(d, by_distance));
+        const WordLanes sorted = hn::TableLookupLanes(children, hn::IndicesFromVec(dw, by_distance));
+        const LaneMask kept = hn::Lt(keys, infinity);
+        hn::StoreU(hn::Compress(sorted, hn::RebindMask(dw, kept)), dw, stack_ + top);
+        hn::StoreU(hn::Compress(keys, kept), d, enters_ + top);
+        top += static_cast<uint32_t>(hn::CountTrue(d, kept));
+      }
+      // The nearest child, else what was left for later.
+      --top;
+      slot.current = stack_[top];
+      slot.top = top;
+      enlist(offset, slot.current, 0, leaves_, leaf_count_);
+    }
+  }
+
+  /// Numbers of lanes, from numbers whose lowest bits they are.
+  static HWY_INLINE WordLanes in_range(WordLanes numbers) {
+    // Permutations of 8 lanes look at no more than the lowest three bits.
+    if constexpr (lane_count == 8) return numbers;
+    return hn::And(numbers, hn::Set(Words(), lane_count - 1));
+  }
+
+  HWY_INLINE void visit_leaves() {
+    const Floats d;
+    const uint32_t count = leaf_count_;
+    leaf_count_ = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t offset = leaves_[i];
+      Slot& slot = slot_at(offset);
+      const uint32_t index = child_index(slot.current);
+      const Block& block = blocks_[index];
+      const LaneHits found =
+          solve(Method{}, broadcast(slot.origin[0], slot.origin[1], slot.origin[2]),
+                broadcast(slot.direction[0], slot.direction[1], slot.direction[2]), block.data);
+      // Every lane of a block of spheres is a candidate.
+      const uint32_t spheres = 0u - ((slot.current >> 30) & 1);
+      const uint32_t candidates = bits_of(is_hit(found)) | (spheres & ((1u << lane_count) - 1));
+      hn::Store(found.t, d, slot.distances);
+      slot.candidates = candidates;
+      slot.block = index;
+      // The leaf's next block, else what the stack holds.
+      const uint32_t more = block.more, top = slot.top - (1 - more);
+      const WideChild popped = stack_[top];
+      slot.current = more != 0 ? slot.current + 1 : popped;
+      slot.top = top;
+      const uint32_t is_candidate = candidates != 0 ? 1 : 0;
+      candidates_[candidate_count_] = offset;
+      candidate_count_ += is_candidate;
+      enlist(offset, slot.current, is_candidate, leaves_, leaf_count_);
+    }
+  }
+
+  HWY_INLINE void look_at_candidates(uint32_t offset) {
+    Slot& slot = slot_at(offset);
+    const Block& block = blocks_[slot.block];
+    const Ray<float> ray{{slot.origin[0], slot.origin[1], slot.origin[2]},
+                         {slot.direction[0], slot.direction[1], slot.direction[2]}};
+    const SlabRay<float> slab_ray(ray);
+    bool is_nearer = false;
+    for (uint32_t left = slot.candidates; left != 0; left &= left - 1) {
+      const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+      const uint32_t id = block.id[lane];
+      if (id == no_hit_id) continue;
+      const auto t =
+          id < primitives_.first_triangle()
+              ? primitives_.intersect_sphere(id, ray, slab_ray, Hit<float>::start())
+              : primitives_.accept_triangle(id, slot.distances[lane], ray, slab_ray, Hit<float>::start());
+      if (!t) continue;
+      if (any ? *t < slot.t : Hit<float>{*t, id}.before({slot.t, slot.id})) {
+        slot.t = *t;
+        slot.id = id;
+        is_nearer = true;
+        if constexpr (any) break;
+      }
+    }
+    if (is_nearer) shorten(slot);
+    enlist(offset, slot.current, 0, leaves_, leaf_count_);
+  }
+
+  /// Forgets what begins behind the new nearest hit; of rays that any hit ends, everything.
+  HWY_INLINE void shorten(Slot& slot) {
+    if constexpr (any) {
+      slot.current = sentinel;
+    } else {
+      slot.limit = slot.t * widening;
+      const Floats d;
+      const Words dw;
+      const FloatLanes limit = hn::Set(d, slot.limit);
+      // What was popped for `current` is still there; only a leaf that goes on was not.
+      const bool goes_on = blocks_[slot.block].more != 0;
+      const uint32_t end = slot.top + (goes_on ? 0 : 1);
+      uint32_t kept = slot.bottom;
+      for (uint32_t from = slot.bottom; from < end; from += lane_count) {
+        const FloatLanes enters = hn::LoadU(d, enters_ + from);
+        const WordLanes children = hn::LoadU(dw, stack_ + from);
+        const LaneMask is_entry = hn::RebindMask(d, hn::Lt(hn::Iota(dw, from), hn::Set(dw, end)));
+        const LaneMask keep = hn::And(hn::Le(enters, limit), is_entry);
+        hn::StoreU(hn::Compress(enters, keep), d, enters_ + kept);
+        hn::StoreU(hn::Compress(children, hn::RebindMask(dw, keep)), dw, stack_ + kept);
+        kept += static_cast<uint32_t>(hn::CountTrue(d, keep));
+      }
+      slot.top = goes_on ? kept : kept - 1;
+      if (!goes_on) slot.current = stack_[slot.top];
+    }
+  }
+
+  HWY_INLINE void end(uint32_t offset) {
+    const Slot& slot = slot_at(offset);
+    hits_.t[slot.ray] = slot.t;
+    hits_.id[slot.ray] = slot.id;
+    if (next_ray_ == rays_.size) return;
+    load(offset);
+    nodes_next_[next_count_++] = offset;
+  }
+
+  const Primitives<float, Method>& primitives_;
+  const Node* const nodes_;
+  const Block* const blocks_;
+  const RayBatch& rays_;
+  HitBatch& hits_;
+  std::vector<uint32_t>& left_over_;
+  char* slots_;
+  WideChild* stack_;
+  float* enters_;
+  uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
+  uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
+  size_t next_ray_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raysweep
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,119 @@
+// The fast core: rays in batches through wide nodes, by kernels chosen at run time. Answers as the scalar
+// core does, bit for bit, on every instruction set.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "tracer/accel/build_by_name.h"
+#include "tracer/wide/isa.h"
+#include "tracer/wide/kernels.h"
+#include "tracer/wide/single_ray.h"
+
+namespace raysweep {
+
+template <class MethodType, int width>
+class WideCore {
+ public:
+  using Real = float;
+  using Method = MethodType;
+
+  /// `isa` must run here and be `width` wide.
+  WideCore(const Scene& scene, const std::string& accel, int leaf_size, std::string_view isa)
+      : primitives_(scene),
+        geometry_(primitives_, build(accel, leaf_size)),
+        kernels_(kernels_for<Method, width>(isa)) {
+    if (!kernels_.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
+    // Kernels may overflow with such boxes.
+    is_tame_ = geometry_.tree.largest <= 0x1p60f;
+  }
+  WideCore(const WideCore&) = delete;  // the geometry points to the primitives
+  WideCore& operator=(const WideCore&) = delete;
+
+  [[nodiscard]] const Primitives<float, Method>& primitives() const { return primitives_; }
+  [[nodiscard]] const WideTree<width>& tree() const { return geometry_.tree; }
+  [[nodiscard]] size_t bytes() const { return geometry_.bytes(); }
+
+  /// The first hit after `after` with t ≤ `t_max`. A ray with a number that is not finite hits nothing.
+  [[nodiscard]] std::optional<Hit<float>> closest(
+      const Ray<float>& ray, const Hit<float>& after = Hit<float>::start(),
+      float t_max = std::numeric_limits<float>::infinity()) const {
+    return closest_hit(geometry_, ray, after, t_max);
+  }
+  /// Whether anything is hit with 0 < t < t_max.
+  [[nodiscard]] bool occluded(const Ray<float>& ray, float t_max) const {
+    return visit_hits(ray, t_max, [](const Hit<float>&) { return true; });
+  }
+  /// Shows `visit` hits with 0 < t < t_max, in no particular order, each once, until it returns true; whether
+  /// it did.
+  template <class Visit>
+  bool visit_hits(const Ray<float>& ray, float t_max, Visit&& visit) const {
+    return visit_all_hits(geometry_, ray, t_max, visit);
+  }
+
+  /// The first hit of each ray with 0 < t ≤ t_max.
+  void closest(const RayBatch& rays, HitBatch& hits, KernelScratch& scratch) const {
+    begin(rays, hits, [](const Hit<float>& hit, const Hit<float>& nearest) { return hit.before(nearest); });
+    run(kernels_.closest, rays, hits, scratch);
+    for (const uint32_t i : scratch.left_over) {
+      const auto hit = closest(rays.ray(i), Hit<float>::start(), rays.t_max[i]);
+      hits.t[i] = hit ? hit->t : rays.t_max[i];
+      hits.id[i] = hit ? hit->id : no_hit_id;
+    }
+  }
+
+  /// For each ray some hit with 0 < t < t_max, if there is one.
+  void occluded(const RayBatch& rays, HitBatch& hits, KernelScratch& scratch) const {
+    begin(rays, hits, [](const Hit<float>& hit, const Hit<float>& nearest) { return hit.t < nearest.t; });
+    run(kernels_.any, rays, hits, scratch);
+    for (const uint32_t i : scratch.left_over) {
+      hits.t[i] = rays.t_max[i];
+      hits.id[i] = no_hit_id;
+      visit_hits(rays.ray(i), rays.t_max[i], [&](const Hit<float>& hit) {
+        hits.t[i] = hit.t;
+        hits.id[i] = hit.id;
+        return true;
+      });
+    }
+  }
+
+ private:
+  [[nodiscard]] WideTree<width> build(const std::string& accel, int leaf_size) const {
+    // The collapse decides itself what is a leaf, so it is handed single items. Others are studied for their
+    // leaves.
+    const bool merges_leaves = accel == "sah";
+    const Hierarchy<float> binary =
+        build_by_name<float>(accel, primitives_.boxes(), merges_leaves ? 1 : leaf_size);
+    return collapse<width>(binary, primitives_.boxes(),
+                           {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves});
+  }
+
+  /// Planes have no boxes: each ray meets all of them first.
+  template <class IsBefore>
+  void begin(const RayBatch& rays, HitBatch& hits, IsBefore&& is_before) const {
+    for (size_t i = 0; i < rays.size; ++i) {
+      Hit<float> nearest = Hit<float>::none(rays.t_max[i]);
+      for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
+        const auto t = primitives_.intersect_plane(id, rays.ray(i), Hit<float>::start());
+        if (t && is_before(Hit<float>{*t, id}, nearest)) nearest = {*t, id};
+      }
+      hits.t[i] = nearest.t;
+      hits.id[i] = nearest.id;
+    }
+  }
+
+  void run(BatchKernel<Method, width> kernel, const RayBatch& rays, HitBatch& hits,
+           KernelScratch& scratch) const {
+    if (is_tame_) return kernel(geometry_, rays, hits, scratch);
+    scratch.left_over.resize(rays.size);
+    std::iota(scratch.left_over.begin(), scratch.left_over.end(), 0u);
+  }
+
+  Primitives<float, Method> primitives_;
+  WideGeometry<Method, width> geometry_;
+  BatchKernels<Method, width> kernels_;
+  bool is_tame_;
+};
+
+}  // namespace raysweep

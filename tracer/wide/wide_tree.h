@@ -1,0 +1,70 @@
+// A hierarchy with as many children a node, and as many triangles a block, as a vector has lanes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracer/accel/hierarchy.h"
+#include "tracer/ray_batch.h"
+
+namespace raysweep {
+
+/// A child: an inner node's index, or, with `leaf_bit` set, the index of a leaf's first block; with
+/// `sphere_bit` too, of a block of spheres.
+using WideChild = uint32_t;
+inline constexpr WideChild leaf_bit = 0x80000000, sphere_bit = 0x40000000;
+inline constexpr WideChild child_index(WideChild child) { return child & ~(leaf_bit | sphere_bit); }
+
+/// The boxes of `width` children, structure of arrays; a child that is not there has an empty box. For width
+/// 8: four cache lines.
+template <int width>
+struct alignas(64) WideNode {
+  static constexpr int order_bits = 3;  // to number up to 8 children
+
+  float bounds[3][2][width];  // [axis][0]: lower bounds, [axis][1]: upper ones
+  WideChild children[width];
+  /// For each octant of directions (bit 0: towards lower x, bit 1: y, bit 2: z) the children's numbers from
+  /// far to near, `order_bits` each, the farthest in the lowest bits.
+  uint32_t far_to_near[8];
+};
+
+/// Up to `width` primitives of one leaf. Triangles: the floats of their prepared data, row by row. A lane
+/// without a primitive has id `no_hit_id` and zeros, which no method hits.
+template <int width, int rows>
+struct alignas(64) WideBlock {
+  float data[rows][width];
+  uint32_t id[width];
+  uint32_t more;  // 1 if the leaf goes on in the next block
+};
+
+/// `blocks[0]` of a tree is the sentinel: no primitives.
+template <int width>
+struct WideTree {
+  std::vector<WideNode<width>, CacheLineAllocator<WideNode<width>>> nodes;
+  /// What the blocks hold: `width` items each, `no_hit_id` where there is none.
+  std::vector<uint32_t> block_items;
+  std::vector<uint8_t> block_goes_on;
+  int depth = 0;      // inner nodes on the longest path
+  double cost = 0;    // expected visits a ray: nodes and blocks, each weighted by the chance to be met
+  float largest = 0;  // the largest absolute coordinate of any box
+
+  /// Entries that any traversal's stack may need.
+  [[nodiscard]] size_t stack_size() const { return static_cast<size_t>((width - 1) * depth + 2); }
+};
+
+/// Which items are spheres, and whether leaves may be made larger than the hierarchy's own.
+struct CollapseOptions {
+  uint32_t sphere_count;  // items 0 … sphere_count − 1
+  bool merges_leaves;     // up to one block a leaf; otherwise the hierarchy's leaves stay what they are
+};
+
+/// The cheapest way to pull children of a binary hierarchy up into nodes of `width` and to end in leaves
+/// (Ylitie, Karras & Laine 2017, "Efficient incoherent ray traversal on GPUs through compressed wide BVHs",
+/// section 3.1: dynamic programming over the surface area heuristic). Leaves hold either triangles or
+/// spheres. `boxes` are the items'; an empty `hierarchy` gives one leaf of all of them.
+template <int width>
+[[nodiscard]] WideTree<width> collapse(const Hierarchy<float>& hierarchy, std::span<const Box<float>> boxes,
+                                       const CollapseOptions& options);
+
+}  // namespace raysweep
