@@ -6,6 +6,7 @@
 
 #include "experiments/cell_factors.h"
 #include "schedulers/registry.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 
@@ -52,15 +53,20 @@ std::string Cell::environment_text() const {
   return info && info->family == "std" ? "-" : environment;  // std::thread reads none of it
 }
 
+std::string Cell::isa_text() const {
+  if (settings.core != "wide") return "baseline";
+  return settings.isa == "best" ? std::string(best_isa()) : settings.isa;
+}
+
 std::string Cell::lights_text() const { return lights ? std::to_string(*lights) : "scene"; }
 
 std::string Cell::picture_key() const {
   const RenderSettings& s = settings;
   return fmt::format(
       "scene={},mode={},width={},height={},subpixels={},pattern={},depth={},lights={},core={},method={},"
-      "precision={},pixel_tolerance={},branches={}",
+      "precision={},pixel_tolerance={},branches={}{}",
       scene, mode, s.width, s.height, s.subpixels, s.pattern, s.depth, lights_text(), s.core, s.method,
-      s.precision, s.pixel_tolerance, s.branches);
+      s.precision, s.pixel_tolerance, s.branches, s.core == "wide" ? ",isa=" + isa_text() : "");
 }
 
 std::string Cell::key() const {
@@ -92,6 +98,7 @@ void collapse_ignored_factors(Cell& cell) {
   const SchedulerInfo* const info = find_scheduler(cell.scheduler);
   if (!info) return;
   const Cell usual;
+  cell.settings.isa = cell.settings.core == "wide" ? cell.isa_text() : usual.settings.isa;
   if (!info->uses_threads) cell.threads = 1;
   if (!info->uses_chunk) cell.chunk = usual.chunk;
   cell.runtime = info->uses_runtime() ? cell.runtime_text() : usual.runtime;

@@ -45,6 +45,8 @@ struct Cell {
   [[nodiscard]] std::string environment_text() const;
   /// "2", or "scene" for as many as the scene has.
   [[nodiscard]] std::string lights_text() const;
+  /// Of the core wide the one that is used, "best" resolved; of others "baseline".
+  [[nodiscard]] std::string isa_text() const;
 };
 
 /// The scene's own number of lights where none was asked for. Throws SceneError.

@@ -14,6 +14,7 @@
 #include "schedulers/placement.h"
 #include "schedulers/registry.h"
 #include "tracer/sample/pattern.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 
@@ -80,6 +81,17 @@ std::string set_pattern(Cell& cell, const std::string& value) {
   std::string problem = pattern_problem(value);
   if (problem.empty()) cell.settings.pattern = value;
   return problem;
+}
+
+std::string set_isa(Cell& cell, const std::string& value) {
+  std::string names = "best";
+  for (const Choice& isa : isas()) {
+    if (runs_here(isa.name)) names += fmt::format(", {}", isa.name);
+  }
+  if (value != "best" && !runs_here(value))
+    return fmt::format("isa \"{}\" cannot be used here; possible: {}", value, names);
+  cell.settings.isa = value;
+  return {};
 }
 
 std::string set_scheduler(Cell& cell, const std::string& value) {
@@ -234,6 +246,8 @@ const std::array factors{
     RAYSWEEP_CHOICE("core", settings.core, cores),
     RAYSWEEP_CHOICE("method", settings.method, methods),
     RAYSWEEP_CHOICE("precision", settings.precision, precisions),
+    CellFactor{"isa", "instruction set of the core wide: best, or see `raysweep list isas`", false, set_isa,
+               [](const Cell& c) { return c.settings.isa; }},
     CellFactor{"scheduler", "see `raysweep list schedulers`", false, set_scheduler,
                [](const Cell& c) { return c.scheduler; }},
     RAYSWEEP_INT("threads", threads, threads_range, "1 to 1024"),
@@ -278,6 +292,15 @@ const CellFactor* find_factor(std::string_view name) {
 
 void set_factor(Cell& cell, const CellFactor& factor, const std::string& value) {
   if (const std::string problem = factor.set(cell, value); !problem.empty()) throw RequestError(problem);
+}
+
+void refuse_impossible(const Cell& cell) {
+  const RenderSettings& s = cell.settings;
+  if (s.core != "wide" || s.precision == "float") return;
+  throw RequestError(
+      fmt::format("core = \"wide\" computes in float, not in precision = \"{}\": choose float, or the core "
+                  "scalar or m11 for this precision (in a sweep, [sweep.zip] advances both together)",
+                  s.precision));
 }
 
 void set_mode(Cell& cell, const std::string& mode) {

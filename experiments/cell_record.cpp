@@ -20,7 +20,7 @@ Record record_of(const Cell& cell) {
   r.accel = cell.settings.accel;
   r.leaf = cell.settings.leaf;
   r.core = cell.settings.core;
-  r.isa = "baseline";
+  r.isa = cell.isa_text();
   r.method = cell.settings.method;
   r.precision = cell.settings.precision;
   r.scheduler = cell.scheduler;

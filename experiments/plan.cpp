@@ -17,6 +17,7 @@ class Planner {
 
   /// The cell itself after the cells that it is compared with.
   void add_with_bases(Cell cell) {
+    refuse_impossible(cell);
     collapse_ignored_factors(cell);
     const Cell serial = serial_cell(cell);
     Cell one = cell;

@@ -10,6 +10,7 @@
 #include "schedulers/registry.h"
 #include "tracer/scene/scenes.h"
 #include "tracer/settings.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 
@@ -93,6 +94,13 @@ nlohmann::json list_experiments() {
   return list;
 }
 
+nlohmann::json list_isas() {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Choice& isa : isas())
+    list.push_back(entry(isa.name, isa.summary, runs_here(isa.name) ? "" : "this processor has none"));
+  return list;
+}
+
 nlohmann::json list_of(const std::string& what) {
   if (what == "schedulers") return list_schedulers();
   if (what == "runtimes") return list_runtimes();
@@ -105,8 +113,7 @@ nlohmann::json list_of(const std::string& what) {
   if (what == "precisions") return list_named(precisions());
   if (what == "pins") return list_named(pin_policies());
   if (what == "orders") return list_named(item_orders());
-  if (what == "isas")
-    return nlohmann::json::array({entry("baseline", "what every processor of the architecture runs")});
+  if (what == "isas") return list_isas();
   return list_experiments();
 }
 

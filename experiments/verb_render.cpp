@@ -91,6 +91,7 @@ Cell make_cell(const RenderOptions& options, const Topology& topology) {
   }
   if (const std::string problem = pin_problem(cell.pin, topology.processor_numbers()); !problem.empty())
     throw RequestError(problem);
+  refuse_impossible(cell);
   collapse_ignored_factors(cell);
   resolve_lights(cell);
   return cell;

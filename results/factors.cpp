@@ -23,6 +23,7 @@ const std::vector<FactorText>& factor_texts() {
       {"core", [](const Record& r) { return r.core; }, false},
       {"method", [](const Record& r) { return r.method; }, false},
       {"precision", [](const Record& r) { return r.precision; }, false},
+      {"isa", [](const Record& r) { return r.isa; }, false, "baseline"},
       {"accel", [](const Record& r) { return r.accel; }, false},
       {"leaf", [](const Record& r) { return std::to_string(r.leaf); }, true},
       {"item", [](const Record& r) { return r.item; }, false},

@@ -6,6 +6,7 @@
 
 #include "experiments/clock.h"
 #include "results/statistics/statistics.h"
+#include "tracer/wide/wide_core.h"
 
 namespace raysweep {
 
@@ -17,28 +18,8 @@ size_t heap_bytes() {
   return info.uordblks + info.hblkhd;
 }
 
-/// A core that answers one ray at a time, as one that answers batches.
-class OneByOne {
- public:
-  explicit OneByOne(const Scene& scene) : core_(make_oracle(scene)) {}
-
-  void closest(const RayBatch& rays, HitBatch& hits) const {
-    for (size_t i = 0; i < rays.size; ++i) {
-      const auto hit = core_.closest(rays.ray(i), Hit<float>::start(), rays.t_max[i]);
-      hits.t[i] = hit ? hit->t : rays.t_max[i];
-      hits.id[i] = hit ? hit->id : no_hit_id;
-    }
-  }
-
-  void occluded(const RayBatch& rays, HitBatch& hits) const {
-    const uint32_t any = core_.primitives().first_triangle();
-    for (size_t i = 0; i < rays.size; ++i)
-      hits.id[i] = core_.occluded(rays.ray(i), rays.t_max[i]) ? any : no_hit_id;
-  }
-
- private:
-  OracleCore core_;
-};
+template <int width>
+using FastCore = WideCore<MollerTrumbore, width>;
 
 /// `Core` has `closest` and `occluded` of batches; several contestants may share one.
 template <class Core>
@@ -54,7 +35,9 @@ class OurContestant final : public Contestant {
     hits_ = HitBatch(rays.size);
   }
   void reset() override {}  // rays are only read
-  void run() override { any_hit_ ? core_->occluded(*rays_, hits_) : core_->closest(*rays_, hits_); }
+  void run() override {
+    any_hit_ ? core_->occluded(*rays_, hits_, scratch_) : core_->closest(*rays_, hits_, scratch_);
+  }
   [[nodiscard]] HitBatch hits() const override { return hits_; }
 
  private:
@@ -63,18 +46,19 @@ class OurContestant final : public Contestant {
   const RayBatch* rays_ = nullptr;
   bool any_hit_ = false;
   HitBatch hits_{0};
+  KernelScratch scratch_;
 };
 
 /// Builds a core as often as builds are timed, and keeps the last.
 template <class Core>
-std::shared_ptr<const Core> build(const Scene& scene, BuildCost& cost) {
+std::shared_ptr<const Core> build(const Scene& scene, std::string_view isa, BuildCost& cost) {
   std::shared_ptr<const Core> core;
   std::vector<double> seconds;
   for (int i = 0; i < build_repeats; ++i) {
     core.reset();
     const size_t before = heap_bytes();
     const double begin = now_seconds();
-    core = std::make_shared<const Core>(scene);
+    core = std::make_shared<const Core>(scene, "sah", 4, isa);
     seconds.push_back(now_seconds() - begin);
     cost.bytes = heap_bytes() - before;
   }
@@ -89,8 +73,16 @@ OracleCore make_oracle(const Scene& scene) { return OracleCore(scene, "sah", 4);
 Team make_our_team(const Scene& scene) {
   Team team;
   BuildCost cost;
-  const auto scalar = build<OneByOne>(scene, cost);
-  team.entrants.push_back({std::make_unique<OurContestant<OneByOne>>("scalar", scalar), true, false});
+  const auto enter = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
+    const auto core = build<FastCore<width>>(scene, isa, cost);
+    team.entrants.push_back(
+        {std::make_unique<OurContestant<FastCore<width>>>("single " + std::string(isa), core), true, false});
+  };
+  for (const Isa& isa : built_isas()) {
+    if (!runs_here(isa.name)) continue;
+    if (isa.width == 8) enter(std::integral_constant<int, 8>(), isa.name);
+    if (isa.width == 4 && team.entrants.empty()) enter(std::integral_constant<int, 4>(), isa.name);
+  }
   // One hierarchy stands against both of Embree's.
   team.builds = {{"medium", cost}, {"high", cost}};
   return team;

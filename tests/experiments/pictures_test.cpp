@@ -46,6 +46,7 @@ std::string picture(const Cell& cell, RayCounts* rays = nullptr) {
 TEST_P(Pictures, one_hash_for_all_threads_chunks_and_items) {
   for (const Choice& core : cores()) {
     for (const Choice& precision : precisions()) {
+      if (core.name == "wide" && precision.name != "float") continue;
       Cell cell = small_cell();
       cell.settings.core = core.name;
       cell.settings.precision = precision.name;

@@ -9,6 +9,11 @@
 
 namespace raysweep {
 
+/// The core wide computes in float only.
+inline bool goes_with(std::string_view core, std::string_view precision) {
+  return core != "wide" || precision == "float";
+}
+
 /// Each core, precision, method and hierarchy, for a picture of one pixel.
 inline std::vector<RenderSettings> all_variants() {
   std::vector<RenderSettings> list;
@@ -16,6 +21,7 @@ inline std::vector<RenderSettings> all_variants() {
     for (const Choice& precision : precisions()) {
       for (const Choice& method : methods()) {
         for (const Choice& accel : accels()) {
+          if (!goes_with(core.name, precision.name)) continue;
           RenderSettings s;
           s.width = s.height = 1;
           s.core = core.name;

@@ -58,7 +58,7 @@ class Stream {
   using Block = typename Geometry::Block;
   static_assert(sizeof(WideNode<8>) == 256 && offsetof(WideNode<8>, children) == 192);
 
-  Stream(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
+  HWY_INLINE Stream(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
       : primitives_(*geometry.primitives),
         nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
@@ -85,7 +85,7 @@ class Stream {
     }
   }
 
-  HWY_ATTR void run() {
+  HWY_INLINE void run() {
     uint32_t node_count = 0;
     leaf_count_ = 0;
     for (uint32_t i = 0; i < slot_count && next_ray_ < rays_.size; ++i) {
