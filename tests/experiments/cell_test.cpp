@@ -6,6 +6,7 @@
 
 #include "experiments/cell_factors.h"
 #include "experiments/errors.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 namespace {
@@ -54,7 +55,8 @@ TEST(cell, every_factor_is_in_the_key) {
                                                         {"spin_count", "7"},
                                                         {"environment", "OMP_PLACES=cores"},
                                                         {"slowdown", "0.05"}};
-  EXPECT_EQ(std::size(others) + 1, cell_factors().size()) << "runtime is for OpenMP alone";
+  EXPECT_EQ(std::size(others) + 2, cell_factors().size())
+      << "runtime is for OpenMP alone, isa for the core wide";
   for (const auto& [name, value] : others) {
     Cell a, b;
     // std::thread reads no environment; TBB's schedulers have no say in how they wait.
@@ -62,6 +64,44 @@ TEST(cell, every_factor_is_in_the_key) {
     set_factor(b, *find_factor(name), value);
     EXPECT_NE(a.key(), b.key()) << name;
   }
+}
+
+TEST(cell, the_instruction_set_tells_cells_of_the_core_wide_apart_and_no_others) {
+  Cell best, other;
+  for (Cell* cell : {&best, &other}) set_factor(*cell, *find_factor("core"), "wide");
+  set_factor(other, *find_factor("isa"), "baseline");
+  EXPECT_EQ(best.isa_text(), best_isa());
+  EXPECT_NE(best.key(), other.key());
+  Cell named = best;
+  set_factor(named, *find_factor("isa"), std::string(best_isa()));
+  EXPECT_EQ(named.key(), best.key()) << "best is the name of what is used";
+  for (Cell* cell : {&best, &other}) {
+    set_factor(*cell, *find_factor("core"), "scalar");
+    collapse_ignored_factors(*cell);
+  }
+  EXPECT_EQ(best.key(), other.key());
+  EXPECT_EQ(best.isa_text(), "baseline");
+}
+
+TEST(cell, an_instruction_set_that_is_not_here_is_refused_by_name) {
+  Cell cell;
+  try {
+    set_factor(cell, *find_factor("isa"), "mmx");
+    FAIL();
+  } catch (const RequestError& e) {
+    EXPECT_EQ(std::string(e.what()).find("isa \"mmx\" cannot be used here; possible: best, "), 0u)
+        << e.what();
+  }
+}
+
+TEST(cell, the_core_wide_refuses_other_precisions_than_float) {
+  Cell cell;
+  set_factor(cell, *find_factor("core"), "wide");
+  refuse_impossible(cell);
+  set_factor(cell, *find_factor("precision"), "double");
+  EXPECT_THROW(refuse_impossible(cell), RequestError);
+  set_factor(cell, *find_factor("core"), "m11");
+  refuse_impossible(cell);
 }
 
 TEST(cell, ignored_factors_collapse) {

@@ -2,28 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/tracer/hit_rays.h"
+#include "tests/tracer/mixed_scene.h"
 #include "tests/tracer/scene_sizes.h"
 #include "tracer/accel/m11.h"
 #include "tracer/intersect/all.h"
 
 namespace raysweep {
 namespace {
-
-/// Planes, spheres and triangles, some of them twice: ties are everywhere.
-Scene mixed_scene() {
-  Scene scene;
-  scene.name = "mixed";
-  scene.materials = {{}};
-  scene.planes = {{{0, 1, 0}, 0, 0}, {{0, 1, 0}, 0, 0}};
-  scene.spheres = {{{0, 0.5, 0}, 0.5, 0}, {{0, 0.5, 0}, 0.5, 0}, {{0.6, 0.4, 0.3}, 0.2, 0}};
-  Mesh mesh;
-  mesh.vertices = {{-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, 0, 1}, {1, 0, 1}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 1, 5}, {0, 5, 4}, {0, 0, 1}};
-  scene.meshes = {mesh, mesh};
-  scene.lights = light_dome(3, {0, 0.5, 0}, 4);
-  scene.camera = {.position = {0.3, 1, 4}, .target = {0, 0.5, 0}, .half_angle = 0.4};
-  return scene;
-}
 
 template <class T, class Method>
 void expect_agreement(const Scene& scene, size_t count) {

@@ -3,6 +3,7 @@
 // in the quick tests they would take seconds, with sanitizers a minute.
 #include "tests/tracer/rock_scenes.h"
 #include "tests/tracer/scene_sizes.h"
+#include "tests/tracer/wide/batches.h"
 #include "tracer/scene/pebble.h"
 
 namespace raysweep {
@@ -26,6 +27,16 @@ INSTANTIATE_TEST_SUITE_P(hits, LargeScenes,
 TEST_P(LargeScenes, hierarchies_agree_on_a_million_rays) {
   const auto& [name, kind] = GetParam();
   expect_agreeing_hierarchies<float>(load_scene(name, 2), {kind}, 1'000'000);
+}
+
+TEST_P(LargeScenes, the_wide_core_agrees_on_a_million_rays_on_every_instruction_set) {
+  const auto& [name, kind] = GetParam();
+  const Scene scene = load_scene(name, 2);
+  const ScalarCore<float, MollerTrumbore> scalar(scene, "sah", 4);
+  const auto rays = make_rays<float>(scene, scalar, kind, 1'000'000);
+  for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+    EXPECT_EQ(count_differences(core, scalar, rays), 0u) << isa;
+  });
 }
 
 TEST_P(LargeScenes, brute_force_agrees_on_300_rays) {

@@ -1,0 +1,41 @@
+// Batches of test rays, and what a wide core answers to them against another core.
+#pragma once
+
+#include "tests/tracer/hit_rays.h"
+#include "tracer/wide/wide_core.h"
+
+namespace raysweep {
+
+/// Rays whose answers differ, bit for bit: primitive and distance; of rays with a limit also whether anything
+/// is in their way.
+template <class Wide, class Oracle>
+size_t count_differences(const Wide& core, const Oracle& oracle, const std::vector<TestRay<float>>& tests) {
+  RayBatch rays(tests.size());
+  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  HitBatch nearest(tests.size()), any(tests.size());
+  KernelScratch scratch;
+  core.closest(rays, nearest, scratch);
+  core.occluded(rays, any, scratch);
+  size_t differences = 0;
+  for (size_t i = 0; i < tests.size(); ++i) {
+    const auto& [ray, t_max] = tests[i];
+    const auto expected = oracle.closest(ray, Hit<float>::start(), t_max);
+    const bool same = expected ? nearest.id[i] == expected->id && nearest.t[i] == expected->t
+                               : nearest.id[i] == no_hit_id && !(nearest.t[i] < t_max);
+    const bool same_shadow = (any.id[i] != no_hit_id) == oracle.occluded(ray, t_max);
+    differences += same && same_shadow ? 0 : 1;
+  }
+  return differences;
+}
+
+/// Calls `visit(core, isa)` with the wide core of each instruction set that runs here.
+template <class Method, class Visit>
+void for_each_wide_core(const Scene& scene, const std::string& accel, int leaf, Visit&& visit) {
+  for (const Isa& isa : built_isas()) {
+    if (!runs_here(isa.name)) continue;
+    if (isa.width == 4) visit(WideCore<Method, 4>(scene, accel, leaf, isa.name), isa.name);
+    if (isa.width == 8) visit(WideCore<Method, 8>(scene, accel, leaf, isa.name), isa.name);
+  }
+}
+
+}  // namespace raysweep

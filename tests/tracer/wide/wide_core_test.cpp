@@ -1,0 +1,158 @@
+// The fast core answers as the scalar one does, bit for bit, on every instruction set.
+#include "tracer/wide/wide_core.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/tracer/mixed_scene.h"
+#include "tests/tracer/scene_sizes.h"
+#include "tests/tracer/wide/batches.h"
+#include "tracer/intersect/all.h"
+
+namespace raysweep {
+namespace {
+
+template <class Method>
+void expect_agreement(const Scene& scene, const std::string& accel, int leaf, size_t count) {
+  const ScalarCore<float, Method> oracle(scene, "sah", 4);
+  for_each_wide_core<Method>(scene, accel, leaf, [&](const auto& core, std::string_view isa) {
+    for (const char* kind : {"primary", "shadow", "reflected", "random"}) {
+      const auto rays = make_rays<float>(scene, oracle, kind, count);
+      EXPECT_EQ(count_differences(core, oracle, rays), 0u)
+          << isa << ' ' << accel << ' ' << leaf << ' ' << kind;
+    }
+  });
+}
+
+TEST(wide_core, agrees_with_the_scalar_core_on_every_scene_and_instruction_set) {
+  for (const BuiltInScene& built_in : scenes_up_to(brute_force_triangles)) {
+    for_each_method(
+        [&](auto method) { expect_agreement<decltype(method)>(built_in.make(2), "sah", 4, 500); });
+  }
+}
+
+TEST(wide_core, agrees_where_shapes_coincide) {
+  for_each_method([&](auto method) {
+    for (const auto& [accel, leaf] : {std::pair("sah", 4), {"median", 1}, {"median", 5}, {"none", 4}})
+      expect_agreement<decltype(method)>(mixed_scene(), accel, leaf, 5000);
+  });
+}
+
+TEST(wide_core, agrees_with_leaves_of_many_blocks) {
+  for (const int leaf : {1, 20, 300, 20000})
+    expect_agreement<MollerTrumbore>(scenes_up_to(brute_force_triangles).front().make(1), "median", leaf,
+                                     200);
+}
+
+TEST(wide_core, a_scene_without_shapes_has_no_hits) {
+  Scene empty;
+  empty.camera = mixed_scene().camera;
+  for_each_wide_core<MollerTrumbore>(empty, "sah", 4, [&](const auto& core, std::string_view) {
+    RayBatch rays(3);
+    for (size_t i = 0; i < 3; ++i) rays.set(i, {{0, 0, 0}, {0.6f, 0, 0.8f}});
+    HitBatch hits(3);
+    KernelScratch scratch;
+    core.closest(rays, hits, scratch);
+    EXPECT_EQ(hits.id[2], no_hit_id);
+    EXPECT_EQ(hits.t[2], std::numeric_limits<float>::infinity());
+  });
+}
+
+TEST(wide_core, batches_of_any_size_give_each_ray_its_own_answer) {
+  const Scene scene = mixed_scene();
+  const ScalarCore<float, MollerTrumbore> oracle(scene, "sah", 4);
+  for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+    for (const size_t count : {0, 1, 2, 31, 32, 33, 100}) {
+      const auto rays = make_rays<float>(scene, oracle, "random", count);
+      EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa << ' ' << count;
+    }
+  });
+}
+
+/// Directions along axes, with zeros of both signs, tiny and huge ones, and numbers that are none.
+std::vector<TestRay<float>> odd_rays() {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float numbers[] = {0,       -0.0f, 1,    -1,       1e-30f,
+                           -1e-42f, 1e30f, 0.3f, infinity, std::numeric_limits<float>::quiet_NaN()};
+  std::vector<TestRay<float>> rays;
+  for (const Vec3f& origin : {Vec3f(0.1f, 0.5f, 3), Vec3f(0, 0, 0), Vec3f(-1, 0, 1), Vec3f(1e25f, 0, 0)}) {
+    for (const float x : numbers) {
+      for (const float y : numbers) {
+        for (const float z : numbers) {
+          rays.push_back({{origin, {x, y, z}}, infinity});
+          rays.push_back({{origin, {x, y, z}}, 1.5f});
+        }
+      }
+    }
+  }
+  return rays;
+}
+
+TEST(wide_core, agrees_on_rays_along_axes_and_on_numbers_that_are_none) {
+  const Scene scene = mixed_scene();
+  const ScalarCore<float, MollerTrumbore> oracle(scene, "none", 1);
+  for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+    EXPECT_EQ(count_differences(core, oracle, odd_rays()), 0u) << isa;
+  });
+}
+
+/// Limits and offsets are relative: no scene is too small or too large.
+TEST(wide_core, agrees_in_scenes_of_any_size) {
+  for (const float scale : {1e-12f, 1e-3f, 1e3f, 1e6f, 1e15f}) {
+    Scene scene = mixed_scene();
+    for (Mesh& mesh : scene.meshes) {
+      for (Vec3f& vertex : mesh.vertices) vertex = vertex * scale;
+    }
+    for (Sphere& sphere : scene.spheres) {
+      sphere.centre = sphere.centre * double{scale};
+      sphere.radius *= double{scale};
+    }
+    for (Light& light : scene.lights) light.position = light.position * double{scale};
+    scene.camera.position = scene.camera.position * double{scale};
+    scene.camera.target = scene.camera.target * double{scale};
+    const ScalarCore<float, MollerTrumbore> oracle(scene, "none", 1);
+    for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+      for (const char* kind : {"primary", "reflected"})
+        EXPECT_EQ(count_differences(core, oracle, make_rays<float>(scene, oracle, kind, 300)), 0u)
+            << isa << ' ' << scale;
+    });
+  }
+}
+
+/// What glass asks of a core.
+TEST(wide_core, shows_every_hit_of_a_ray_and_finds_the_next_one) {
+  const Scene scene = mixed_scene();
+  const ScalarCore<float, MollerTrumbore> oracle(scene, "none", 1);
+  for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view) {
+    for (const auto& test : make_rays<float>(scene, oracle, "random", 500)) {
+      const auto all = [&](const auto& any_core) {
+        std::vector<Hit<float>> hits;
+        any_core.visit_hits(test.ray, 3.0f, [&](const Hit<float>& hit) {
+          hits.push_back(hit);
+          return false;
+        });
+        std::ranges::sort(hits, [](const auto& a, const auto& b) { return a.before(b); });
+        return hits;
+      };
+      const auto expected = all(oracle), found = all(core);
+      ASSERT_EQ(found.size(), expected.size());
+      Hit<float> last = Hit<float>::start();
+      for (size_t i = 0; i < found.size(); ++i) {
+        ASSERT_EQ(found[i].id, expected[i].id);
+        const auto next = core.closest(test.ray, last);
+        ASSERT_TRUE(next);
+        ASSERT_EQ(next->id, expected[i].id);
+        ASSERT_EQ(next->t, expected[i].t);
+        last = *next;
+      }
+    }
+  });
+}
+
+TEST(wide_core, every_machine_has_the_baseline) {
+  EXPECT_TRUE(runs_here("baseline") || runs_here("neon"));
+  EXPECT_TRUE(runs_here(best_isa()));
+  EXPECT_FALSE(runs_here("best")) << "a word of settings, no instruction set";
+}
+
+}  // namespace
+}  // namespace raysweep
