@@ -31,8 +31,11 @@ struct SlabRay {
   int negative_x, negative_y, negative_z;
 
   explicit SlabRay(const Ray<T>& ray)
+      : SlabRay(ray, {T(1) / ray.direction.x, T(1) / ray.direction.y, T(1) / ray.direction.z}) {}
+  /// With reciprocals that are at hand.
+  SlabRay(const Ray<T>& ray, const Vec3<T>& reciprocals)
       : origin(ray.origin),
-        reciprocal(T(1) / ray.direction.x, T(1) / ray.direction.y, T(1) / ray.direction.z),
+        reciprocal(reciprocals),
         negative_x(std::signbit(ray.direction.x)),
         negative_y(std::signbit(ray.direction.y)),
         negative_z(std::signbit(ray.direction.z)) {}

@@ -36,8 +36,7 @@ class Collapser {
           static_cast<double>(plans_[0].cost[0]) / static_cast<double>(binary_.nodes[0].box.half_area());
       emit_all();
     }
-    for (const Box<float>& box : boxes_)
-      tree_.largest = std::max({tree_.largest, max_abs(box.lower()), max_abs(box.upper())});
+    for (const Box<float>& box : boxes_) tree_.bounds.include(box);
     return std::move(tree_);
   }
 

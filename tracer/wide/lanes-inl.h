@@ -11,6 +11,8 @@
 
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/intersect/morozov.h"
+#include "tracer/wide/compactions.h"
+#include "tracer/wide/wide_tree.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -94,6 +96,55 @@ HWY_INLINE uint32_t bits_of(LaneMask mask) {
   hn::StoreMaskBits(Floats(), mask, bits);
   return bits[0];
 }
+
+/// Numbers of lanes packed `order_bits` each into a word, one number a lane; lanes above the lowest bits may
+/// hold more.
+HWY_INLINE WordLanes unpack(uint32_t packed) {
+  const Words d;
+  constexpr uint32_t bits = WideNode<lane_count>::order_bits;
+  const WordLanes numbers = hn::Shr(hn::Set(d, packed), hn::Mul(hn::Iota(d, 0), hn::Set(d, bits)));
+  // Permutations of 8 lanes look at no more than the lowest three bits.
+  if constexpr (lane_count == 8) return numbers;
+  return hn::And(numbers, hn::Set(d, lane_count - 1));
+}
+
+HWY_INLINE FloatLanes permute(FloatLanes lanes, WordLanes numbers) {
+  return hn::TableLookupLanes(lanes, hn::IndicesFromVec(Floats(), numbers));
+}
+HWY_INLINE WordLanes permute(WordLanes lanes, WordLanes numbers) {
+  return hn::TableLookupLanes(lanes, hn::IndicesFromVec(Words(), numbers));
+}
+
+/// Moves the lanes of a mask to the front, in their order.
+class Compaction {
+ public:
+  HWY_INLINE explicit Compaction(LaneMask mask)
+#if HWY_TARGET == HWY_AVX3
+      : mask_(mask) {
+  }
+  [[nodiscard]] HWY_INLINE uint32_t count() const {
+    return static_cast<uint32_t>(hn::CountTrue(Floats(), mask_));
+  }
+  HWY_INLINE FloatLanes operator()(FloatLanes lanes) const { return hn::Compress(lanes, mask_); }
+  HWY_INLINE WordLanes operator()(WordLanes lanes) const {
+    return hn::Compress(lanes, hn::RebindMask(Words(), mask_));
+  }
+
+ private:
+  LaneMask mask_;
+#else
+      // Highway 1.0's own way, where there is no instruction, copies its table each time.
+      : bits_(bits_of(mask)), numbers_(unpack(compactions[bits_])) {
+  }
+  [[nodiscard]] HWY_INLINE uint32_t count() const { return static_cast<uint32_t>(hwy::PopCount(bits_)); }
+  HWY_INLINE FloatLanes operator()(FloatLanes lanes) const { return permute(lanes, numbers_); }
+  HWY_INLINE WordLanes operator()(WordLanes lanes) const { return permute(lanes, numbers_); }
+
+ private:
+  uint32_t bits_;
+  WordLanes numbers_;
+#endif
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace raysweep

@@ -23,6 +23,9 @@ namespace HWY_NAMESPACE {
 /// cache.
 inline constexpr uint32_t slot_count = 32;
 
+/// Rays looked at before the next ones begin: so many that the loop's end is rare.
+inline constexpr size_t chosen_at_once = 256;
+
 /// What a wide node's planes are compared with, for one ray: t = plane·reciprocal + offset.
 ///
 /// One fused operation a plane instead of `slab`'s two, and still no box is lost that `slab` keeps. With u =
@@ -62,13 +65,15 @@ class Stream {
       : primitives_(*geometry.primitives),
         nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
+        bounds_(geometry.tree.bounds),
         rays_(rays),
         hits_(hits),
         left_over_(scratch.left_over) {
     // A vector's store at the top of a stack reaches past it.
     const size_t stack_size = padded_to_lanes(geometry.tree.stack_size() + lane_count);
-    char* memory = static_cast<char*>(scratch.reserve(slot_count * (sizeof(Slot) + stack_size * 8) +
-                                                      list_count * slot_count * sizeof(uint32_t)));
+    char* memory =
+        static_cast<char*>(scratch.reserve(slot_count * (sizeof(Slot) + stack_size * 8) +
+                                           (list_count * slot_count + chosen_at_once + lane_count) * 4));
     slots_ = memory;
     stack_ = reinterpret_cast<WideChild*>(memory + slot_count * sizeof(Slot));
     enters_ = reinterpret_cast<float*>(stack_ + slot_count * stack_size);
@@ -77,6 +82,7 @@ class Stream {
       *list = lists;
       lists += slot_count;
     }
+    pending_ = lists;
     for (uint32_t i = 0; i < slot_count; ++i) {
       Slot& slot = *new (slots_ + i * sizeof(Slot)) Slot;
       slot.bottom = static_cast<uint32_t>(i * stack_size);
@@ -88,7 +94,7 @@ class Stream {
   HWY_INLINE void run() {
     uint32_t node_count = 0;
     leaf_count_ = 0;
-    for (uint32_t i = 0; i < slot_count && next_ray_ < rays_.size; ++i) {
+    for (uint32_t i = 0; i < slot_count && has_next(); ++i) {
       const auto slot = static_cast<uint32_t>(i * sizeof(Slot));
       load(slot);
       nodes_now_[node_count++] = slot;
@@ -122,12 +128,65 @@ class Stream {
     ended_count_ += is_end;
   }
 
+  /// Whether a ray is left that may meet something. Those that miss the box around everything are done: most
+  /// rays of an open scene, and so many at a time cost little.
+  HWY_INLINE bool has_next() {
+    while (next_pending_ == pending_count_ && next_chosen_ < rays_.size) {
+      next_pending_ = pending_count_ = 0;
+      const size_t end = std::min(next_chosen_ + chosen_at_once, rays_.size);
+      for (; next_chosen_ < end; next_chosen_ += lane_count) choose(next_chosen_);
+    }
+    return next_pending_ < pending_count_;
+  }
+
+  /// Of the rays in lanes from `first` on, lists those that meet the box around everything.
+  HWY_INLINE void choose(size_t first) {
+    const Floats d;
+    const Words dw;
+    const Lanes3 origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
+    const Lanes3 direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
+    FloatLanes enter = hn::Zero(d), leave = hn::Load(d, hits_.t.data() + first);
+    LaneMask is_regular = hn::Eq(enter, enter);
+    const auto cut = [&](const FloatLanes& from, const FloatLanes& along, float lower, float upper) HWY_ATTR {
+      const FloatLanes size = hn::Abs(along), high = hn::Set(Floats(), regular_high);
+      is_regular =
+          hn::And(is_regular, hn::And(hn::Ge(size, hn::Set(Floats(), regular_low)), hn::Le(size, high)));
+      is_regular = hn::And(is_regular, hn::Le(hn::Abs(from), high));
+      const FloatLanes reciprocal = hn::Div(hn::Set(Floats(), 1.0f), along);
+      const FloatLanes c = hn::Neg(hn::Mul(from, reciprocal));
+      const FloatLanes error =
+          hn::MulAdd(hn::Abs(c), hn::Set(Floats(), offset_error), hn::Set(Floats(), smallest));
+      const FloatLanes a = hn::Mul(hn::Set(Floats(), lower), reciprocal),
+                       b = hn::Mul(hn::Set(Floats(), upper), reciprocal);
+      const FloatLanes slack = hn::Add(error, error);
+      enter = hn::Max(enter, hn::Sub(hn::Add(hn::Min(a, b), c), slack));
+      leave = hn::Min(leave, hn::Add(hn::Add(hn::Max(a, b), c), slack));
+    };
+    cut(origin.x, direction.x, bounds_.lower().x, bounds_.upper().x);
+    cut(origin.y, direction.y, bounds_.lower().y, bounds_.upper().y);
+    cut(origin.z, direction.z, bounds_.lower().z, bounds_.upper().z);
+    const LaneMask is_there =
+        hn::RebindMask(d, hn::Lt(hn::Iota(dw, 0), hn::Set(dw, static_cast<uint32_t>(rays_.size - first))));
+    const LaneMask meets = hn::Le(enter, hn::Mul(leave, hn::Set(d, widening)));
+    const Compaction chosen(hn::And(hn::And(meets, is_regular), is_there));
+    hn::StoreU(chosen(hn::Iota(dw, static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
+    pending_count_ += chosen.count();
+    for (uint32_t left = bits_of(hn::AndNot(is_regular, is_there)); left != 0; left &= left - 1)
+      left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));
+  }
+
+  HWY_INLINE static Lanes3 load_at(const LaneArray<float>& x, const LaneArray<float>& y,
+                                   const LaneArray<float>& z, size_t first) {
+    const Floats d;
+    return {hn::Load(d, x.data() + first), hn::Load(d, y.data() + first), hn::Load(d, z.data() + first)};
+  }
+
   /// Begins the next ray at the root.
   HWY_INLINE void load(uint32_t offset) {
     const hn::FixedTag<float, 4> d;
     const hn::FixedTag<uint32_t, 4> du;
     Slot& slot = slot_at(offset);
-    const size_t i = next_ray_++;
+    const size_t i = pending_[next_pending_++];
     auto origin = hn::Zero(d), direction = hn::Set(d, 1.0f);
     origin = hn::InsertLane(origin, 0, rays_.origin_x[i]);
     origin = hn::InsertLane(origin, 1, rays_.origin_y[i]);
@@ -135,10 +194,6 @@ class Stream {
     direction = hn::InsertLane(direction, 0, rays_.direction_x[i]);
     direction = hn::InsertLane(direction, 1, rays_.direction_y[i]);
     direction = hn::InsertLane(direction, 2, rays_.direction_z[i]);
-    const auto size = hn::Abs(direction);
-    const bool is_regular = hn::AllTrue(
-        d, hn::And(hn::And(hn::Ge(size, hn::Set(d, regular_low)), hn::Le(size, hn::Set(d, regular_high))),
-                   hn::Le(hn::Abs(origin), hn::Set(d, regular_high))));
     const auto reciprocal = hn::Div(hn::Set(d, 1.0f), direction);
     const auto c = hn::Neg(hn::Mul(origin, reciprocal));
     const auto error = hn::Add(hn::Mul(hn::Abs(c), hn::Set(d, offset_error)), hn::Set(d, smallest));
@@ -161,10 +216,6 @@ class Stream {
     slot.limit = slot.t * widening;
     slot.top = slot.bottom + 1;
     slot.current = 0;
-    if (HWY_UNLIKELY(!is_regular)) {
-      left_over_.push_back(slot.ray);
-      slot.limit = -1;  // no box is near enough
-    }
   }
 
   HWY_INLINE void visit_nodes(uint32_t count) {
@@ -172,7 +223,6 @@ class Stream {
     const Words dw;
     const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity()),
                      wider = hn::Set(d, widening);
-    const WordLanes shifts = hn::Mul(hn::Iota(dw, 0), hn::Set(dw, Node::order_bits));
     constexpr size_t row = lane_count * sizeof(float);
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t offset = nodes_now_[i];
@@ -197,18 +247,17 @@ class Stream {
           hn::Load(dw, reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
       uint32_t top = slot.top;
       if constexpr (any) {
-        hn::StoreU(hn::Compress(children, hn::RebindMask(dw, met)), dw, stack_ + top);
-        top += static_cast<uint32_t>(hn::CountTrue(d, met));
+        const Compaction kept(met);
+        hn::StoreU(kept(children), dw, stack_ + top);
+        top += kept.count();
       } else {
         const uint32_t order = *reinterpret_cast<const uint32_t*>(node + slot.near_plane[3]);
-        const WordLanes by_distance = in_range(hn::Shr(hn::Set(dw, order), shifts));
-        const FloatLanes keys =
-            hn::TableLookupLanes(hn::IfThenElse(met, enter, infinity), hn::IndicesFromVec(d, by_distance));
-        const WordLanes sorted = hn::TableLookupLanes(children, hn::IndicesFromVec(dw, by_distance));
-        const LaneMask kept = hn::Lt(keys, infinity);
-        hn::StoreU(hn::Compress(sorted, hn::RebindMask(dw, kept)), dw, stack_ + top);
-        hn::StoreU(hn::Compress(keys, kept), d, enters_ + top);
-        top += static_cast<uint32_t>(hn::CountTrue(d, kept));
+        const WordLanes by_distance = unpack(order);
+        const FloatLanes keys = permute(hn::IfThenElse(met, enter, infinity), by_distance);
+        const Compaction kept(hn::Lt(keys, infinity));
+        hn::StoreU(kept(permute(children, by_distance)), dw, stack_ + top);
+        hn::StoreU(kept(keys), d, enters_ + top);
+        top += kept.count();
       }
       // The nearest child, else what was left for later.
       --top;
@@ -216,13 +265,6 @@ class Stream {
       slot.top = top;
       enlist(offset, slot.current, 0, leaves_, leaf_count_);
     }
-  }
-
-  /// Numbers of lanes, from numbers whose lowest bits they are.
-  static HWY_INLINE WordLanes in_range(WordLanes numbers) {
-    // Permutations of 8 lanes look at no more than the lowest three bits.
-    if constexpr (lane_count == 8) return numbers;
-    return hn::And(numbers, hn::Set(Words(), lane_count - 1));
   }
 
   HWY_INLINE void visit_leaves() {
@@ -260,7 +302,7 @@ class Stream {
     const Block& block = blocks_[slot.block];
     const Ray<float> ray{{slot.origin[0], slot.origin[1], slot.origin[2]},
                          {slot.direction[0], slot.direction[1], slot.direction[2]}};
-    const SlabRay<float> slab_ray(ray);
+    const SlabRay<float> slab_ray(ray, {slot.reciprocal[0], slot.reciprocal[1], slot.reciprocal[2]});
     bool is_nearer = false;
     for (uint32_t left = slot.candidates; left != 0; left &= left - 1) {
       const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
@@ -299,10 +341,10 @@ class Stream {
         const FloatLanes enters = hn::LoadU(d, enters_ + from);
         const WordLanes children = hn::LoadU(dw, stack_ + from);
         const LaneMask is_entry = hn::RebindMask(d, hn::Lt(hn::Iota(dw, from), hn::Set(dw, end)));
-        const LaneMask keep = hn::And(hn::Le(enters, limit), is_entry);
-        hn::StoreU(hn::Compress(enters, keep), d, enters_ + kept);
-        hn::StoreU(hn::Compress(children, hn::RebindMask(dw, keep)), dw, stack_ + kept);
-        kept += static_cast<uint32_t>(hn::CountTrue(d, keep));
+        const Compaction keep(hn::And(hn::Le(enters, limit), is_entry));
+        hn::StoreU(keep(enters), d, enters_ + kept);
+        hn::StoreU(keep(children), dw, stack_ + kept);
+        kept += keep.count();
       }
       slot.top = goes_on ? kept : kept - 1;
       if (!goes_on) slot.current = stack_[slot.top];
@@ -313,7 +355,7 @@ class Stream {
     const Slot& slot = slot_at(offset);
     hits_.t[slot.ray] = slot.t;
     hits_.id[slot.ray] = slot.id;
-    if (next_ray_ == rays_.size) return;
+    if (!has_next()) return;
     load(offset);
     nodes_next_[next_count_++] = offset;
   }
@@ -321,6 +363,7 @@ class Stream {
   const Primitives<float, Method>& primitives_;
   const Node* const nodes_;
   const Block* const blocks_;
+  const Box<float>& bounds_;
   const RayBatch& rays_;
   HitBatch& hits_;
   std::vector<uint32_t>& left_over_;
@@ -329,7 +372,9 @@ class Stream {
   float* enters_;
   uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
-  size_t next_ray_ = 0;
+  size_t next_chosen_ = 0;  // the first ray not looked at
+  uint32_t* pending_;       // rays to be begun
+  uint32_t next_pending_ = 0, pending_count_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -26,7 +26,9 @@ class WideCore {
         kernels_(kernels_for<Method, width>(isa)) {
     if (!kernels_.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
     // Kernels may overflow with such boxes.
-    is_tame_ = geometry_.tree.largest <= 0x1p60f;
+    const Box<float>& bounds = geometry_.tree.bounds;
+    is_tame_ =
+        std::max(max_abs(bounds.lower()), max_abs(bounds.upper())) <= 0x1p60f || primitives_.boxes().empty();
   }
   WideCore(const WideCore&) = delete;  // the geometry points to the primitives
   WideCore& operator=(const WideCore&) = delete;

@@ -47,7 +47,7 @@ struct WideTree {
   std::vector<uint8_t> block_goes_on;
   int depth = 0;      // inner nodes on the longest path
   double cost = 0;    // expected visits a ray: nodes and blocks, each weighted by the chance to be met
-  float largest = 0;  // the largest absolute coordinate of any box
+  Box<float> bounds;  // of everything
 
   /// Entries that any traversal's stack may need.
   [[nodiscard]] size_t stack_size() const { return static_cast<size_t>((width - 1) * depth + 2); }
