@@ -50,13 +50,12 @@ nlohmann::json list_named(const List& items) {
 
 nlohmann::json list_scenes() {
   nlohmann::json list;
-  for (const BuiltInScene& built_in : built_in_scenes()) {
-    const Scene scene = load_scene(std::string(built_in.name));
-    list.push_back(entry(built_in.name, built_in.summary));
-    list.back()["triangles"] = scene.triangle_count();
-    list.back()["spheres"] = scene.spheres.size();
-    list.back()["planes"] = scene.planes.size();
-    list.back()["lights"] = scene.lights.size();
+  for (const BuiltInScene& scene : built_in_scenes()) {
+    list.push_back(entry(scene.name, scene.summary));
+    list.back()["triangles"] = scene.triangle_count;
+    list.back()["spheres"] = scene.sphere_count;
+    list.back()["planes"] = scene.plane_count;
+    list.back()["lights"] = scene.light_count;
   }
   list.push_back(
       entry("FILE.toml",

@@ -48,6 +48,11 @@ TEST_P(LargeScenes, brute_force_agrees_on_300_rays) {
     ASSERT_TRUE(answers_agree(oracle, sah, ray));
 }
 
+TEST(large_scenes, have_as_many_shapes_as_the_list_tells) {
+  for (const BuiltInScene& built_in : large_scenes())
+    EXPECT_TRUE(has_what_is_told(built_in.make(1), built_in)) << built_in.name;
+}
+
 TEST(planet, closes_and_has_1003520_triangles) {
   const Scene scene = make_planet(3);
   EXPECT_EQ(scene.name, "planet");

@@ -13,6 +13,12 @@ inline constexpr size_t brute_force_triangles = 20'000;
 /// Making and looking at so many takes tenths of a second; sanitizers multiply that by 10 to 30.
 inline constexpr size_t quick_triangles = 300'000;
 
+/// Whether a scene has as many shapes as its entry in the list tells.
+inline bool has_what_is_told(const Scene& scene, const BuiltInScene& told) {
+  return scene.triangle_count() == told.triangle_count && scene.spheres.size() == told.sphere_count &&
+         scene.planes.size() == told.plane_count;
+}
+
 /// The built-in scenes that have at most `most` triangles.
 inline std::vector<BuiltInScene> scenes_up_to(size_t most) {
   std::vector<BuiltInScene> list;

@@ -61,23 +61,24 @@ Scene load_first_lights(const std::string& file, std::optional<int> light_count)
 std::span<const BuiltInScene> built_in_scenes() {
   static constexpr std::array<BuiltInScene, 9> list{
       {{"chair-ball", "a mirror sphere beside a mirror chair of 10,817 triangles (Morozov 2011, 5.4)",
-        chair_triangle_count, 1, make_chair_ball},
+        chair_triangle_count, 1, 0, 1, make_chair_ball},
        {"studio", "the chair in lacquer with glossy balls on a studio sweep: the README's picture", 11416, 3,
-        make_studio},
-       {"ice", "a block of ice with a hollow, half full of a liquid: three nested media", 1764, 2, make_ice},
-       {"cornell-glass", "a room with glass around water around air, and media that touch", 34, 1,
+        0, 3, make_studio},
+       {"ice", "a block of ice with a hollow, half full of a liquid: three nested media", 1764, 49, 2, 2,
+        make_ice},
+       {"cornell-glass", "a room with glass around water around air, and media that touch", 34, 4, 0, 1,
         make_cornell_glass},
        {"many-lights", "a field of balls under 64 coloured lamps: shadow rays are nearly all of the work", 0,
-        64, make_many_lights},
+        49, 1, 64, make_many_lights},
        {"marbles",
-        "a heap of glass marbles in the corner of an empty picture: the cost of tiles is very uneven", 0, 2,
-        make_marbles},
+        "a heap of glass marbles in the corner of an empty picture: the cost of tiles is very uneven", 0, 150,
+        0, 2, make_marbles},
        {"pebble", "a lumpy stone of as many triangles as the Stanford bunny, and nothing else",
-        geodesic_triangle_count(pebble_frequency), 2, make_pebble},
+        geodesic_triangle_count(pebble_frequency), 0, 0, 2, make_pebble},
        {"planet", "mountains of a million triangles, finer than the pixels of a small picture",
-        geodesic_triangle_count(planet_frequency), 2, make_planet},
+        geodesic_triangle_count(planet_frequency), 0, 0, 2, make_planet},
        {"grotto", "a rock in a closed room, all of triangles: every ray hits, and every hit mirrors",
-        grotto_triangle_count, 2, make_grotto}}};
+        grotto_triangle_count, 0, 0, 2, make_grotto}}};
   return list;
 }
 

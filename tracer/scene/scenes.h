@@ -14,8 +14,9 @@ namespace raysweep {
 /// A scene of this project's own making.
 struct BuiltInScene {
   std::string_view name, summary;
-  size_t triangle_count;  // told here, so that who chooses among scenes need not make a million triangles
-  int light_count;        // its own; others can be asked for
+  // Told here, so that who chooses among scenes need not make a million triangles.
+  size_t triangle_count, sphere_count, plane_count;
+  int light_count;  // its own; others can be asked for
   Scene (*make)(int light_count);
 };
 
