@@ -22,10 +22,8 @@ int run_command(int argc, char** argv) {
   try {
     add_all_verbs(line);
     refuse_unknown_verb(line, argc, argv);
-    line.app.parse(argc, argv);
+    if (const auto code = line.app.parse(argc, argv)) return *code;
     return line.action();
-  } catch (const CLI::ParseError& error) {
-    return line.app.exit(error) == 0 ? exit_done : exit_refused;
   } catch (const RequestError& error) {
     return refuse(error.what());
   } catch (const SceneError& error) {

@@ -99,21 +99,20 @@ int run(const CompareOptions& options, bool as_json) {
 }  // namespace
 
 void add_compare(CommandLine& line) {
-  CLI::App* const verb = add_verb(
+  Command verb = add_verb(
       line, "compare", "two runs, or two cells of one, with intervals and a plain verdict; or two pictures");
   static CompareOptions options;
-  verb->add_option("what", options.what,
-                   "two folders of runs, A and B; one and --cell twice; or two .exr files")
-      ->required()
-      ->expected(1, 2);
-  verb->add_option("--cell", options.cells, "FACTOR=VALUE,…: a cell of the run; the second against the first")
-      ->take_all()
-      ->expected(1);
-  verb->add_option(
+  verb.add_option("what", options.what,
+                  "two folders of runs, A and B; one and --cell twice; or two .exr files")
+      .required()
+      .expected(1, 2);
+  verb.add_option("--cell", options.cells, "FACTOR=VALUE,…: a cell of the run; the second against the first")
+      .repeated();
+  verb.add_option(
       "--fail-if-slower", options.fail_if_slower,
       "exit code 1 if a cell of B is shown to be slower, by more than this at best guess, such as "
       "5%; or if a cell of A cannot be compared");
-  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
+  verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

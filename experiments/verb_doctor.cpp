@@ -77,14 +77,13 @@ int run(const DoctorOptions& options, bool as_json) {
 }  // namespace
 
 void add_doctor(CommandLine& line) {
-  CLI::App* const verb =
-      add_verb(line, "doctor", "is this machine fit to measure on, and what to do about it");
+  Command verb = add_verb(line, "doctor", "is this machine fit to measure on, and what to do about it");
   static DoctorOptions options;
-  verb->add_option("--seconds", options.seconds, "how long to watch the machine (default 2)");
-  verb->add_option("--pairs", options.pairs,
-                   "pairs of launches for the noise floor (default 20; 0: do without)")
-      ->check(CLI::Range(0, 10000));
-  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
+  verb.add_option("--seconds", options.seconds, "how long to watch the machine (default 2)");
+  verb.add_option("--pairs", options.pairs,
+                  "pairs of launches for the noise floor (default 20; 0: do without)")
+      .range(0, 10000);
+  verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

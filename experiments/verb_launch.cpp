@@ -51,17 +51,16 @@ int run(const std::string& cell_text, LaunchOptions options, bool together) {
 }  // namespace
 
 void add_launch(CommandLine& line) {
-  CLI::App* const verb = add_verb(line, "launch", "one launch, in its own process: what `run` starts");
+  Command verb = add_verb(line, "launch", "one launch, in its own process: what `run` starts");
   static std::string cell;
   static LaunchOptions options;
   static bool picture = false, together = false;
-  verb->add_option("--cell", cell, "the cell as JSON")->required();
-  verb->add_option("--seconds", options.seconds, "timed frames go on for so long")
-      ->check(CLI::NonNegativeNumber);
-  verb->add_flag("--picture", picture, "one untimed frame");
-  verb->add_flag("--together", together,
-                 "print \"ready\" and wait for a line before timing; render on after it");
-  verb->callback([&line] {
+  verb.add_option("--cell", cell, "the cell as JSON").required();
+  verb.add_option("--seconds", options.seconds, "timed frames go on for so long").at_least_0();
+  verb.add_flag("--picture", picture, "one untimed frame");
+  verb.add_flag("--together", together,
+                "print \"ready\" and wait for a line before timing; render on after it");
+  verb.callback([&line] {
     line.action = [] {
       options.timed = !picture;
       return run(cell, options, together);

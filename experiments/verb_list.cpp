@@ -139,14 +139,13 @@ int run(const std::string& what, bool json) {
 }  // namespace
 
 void add_list(CommandLine& line) {
-  CLI::App* const verb =
-      add_verb(line, "list", "what is built in, one line each, with what is missing here and why");
+  Command verb = add_verb(line, "list", "what is built in, one line each, with what is missing here and why");
   static std::string what;
-  verb->add_option("what", what, "what to list")
-      ->required()
-      ->check(CLI::IsMember({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores",
-                             "accels", "precisions", "pins", "orders", "isas", "experiments"}));
-  verb->callback([&line] { line.action = [&line] { return run(what, line.json); }; });
+  verb.add_option("what", what, "what to list")
+      .required()
+      .one_of({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores", "accels",
+               "precisions", "pins", "orders", "isas", "experiments"});
+  verb.callback([&line] { line.action = [&line] { return run(what, line.json); }; });
 }
 
 }  // namespace raysweep

@@ -56,27 +56,24 @@ int run(const PeersOptions& options, bool as_json) {
 }  // namespace
 
 void add_peers(CommandLine& line) {
-  CLI::App* const verb = add_verb(line, "peers", "our tracer against Embree on the same rays, one thread");
+  Command verb = add_verb(line, "peers", "our tracer against Embree on the same rays, one thread");
   static PeersOptions options;
-  verb->add_option("--scene", options.scenes,
-                   "a name or a file; more than one by repeating (default chair-ball)")
-      ->take_all()
-      ->expected(1);
+  verb.add_option("--scene", options.scenes,
+                  "a name or a file; more than one by repeating (default chair-ball)")
+      .repeated();
   // 2²⁸ rays, laid out for every width of packets, are about as many as a large machine holds.
   constexpr int largest_side = 16384;
-  verb->add_option("--width", options.request.width, "of the picture that rays are sent out for (1024)")
-      ->check(CLI::Range(1, largest_side));
-  verb->add_option("--height", options.request.height, "(768)")->check(CLI::Range(1, largest_side));
+  verb.add_option("--width", options.request.width, "of the picture that rays are sent out for (1024)")
+      .range(1, largest_side);
+  verb.add_option("--height", options.request.height, "(768)").range(1, largest_side);
   // Fewer than six have no interval.
-  verb->add_option("--rounds", options.request.duel.rounds, "in each of which everyone runs once (15)")
-      ->check(CLI::Range(6, 10000));
-  verb->add_option("--seconds", options.request.duel.run_seconds,
-                   "that a run takes at least, by repeating shorter ones (0.02)");
-  verb->add_option("--kinds", options.kinds, "primary,shadow,mirror,diffuse: which rays (all)")
-      ->delimiter(',')
-      ->take_all();
-  verb->add_option("--seed", options.request.duel.seed, "of diffuse rays and of the order in rounds (1)");
-  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
+  verb.add_option("--rounds", options.request.duel.rounds, "in each of which everyone runs once (15)")
+      .range(6, 10000);
+  verb.add_option("--seconds", options.request.duel.run_seconds,
+                  "that a run takes at least, by repeating shorter ones (0.02)");
+  verb.add_option("--kinds", options.kinds, "primary,shadow,mirror,diffuse: which rays (all)").by_commas();
+  verb.add_option("--seed", options.request.duel.seed, "of diffuse rays and of the order in rounds (1)");
+  verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

@@ -151,24 +151,23 @@ int run(const RenderOptions& options, bool json) {
 }  // namespace
 
 void add_render(CommandLine& line) {
-  CLI::App* const verb = add_verb(line, "render", "one picture, with its time, rays and hash");
+  Command verb = add_verb(line, "render", "one picture, with its time, rays and hash");
   static RenderOptions options;
-  verb->add_option("--mode", options.mode, "low, middle, hard or very_hard: size and effort as published");
+  verb.add_option("--mode", options.mode, "low, middle, hard or very_hard: size and effort as published");
   for (const CellFactor& factor : cell_factors()) {
     const std::string name(factor.name);
     std::string option = "--" + name;
     std::ranges::replace(option, '_', '-');
-    verb->add_option_function<std::string>(
+    verb.add_option_function(
         option, [name](const std::string& value) { options.factors[name] = value; },
         std::string(factor.possible));
   }
-  verb->add_option("--frames", options.frames, "frames to render; times are their mean")
-      ->check(CLI::Range(1, 1000000));
-  verb->add_option("--reference", options.reference, "an .exr picture of the same size to compare with");
-  verb->add_option("--trace", options.trace,
-                   "a timeline of all chunks, for Perfetto or chrome://tracing: .json");
-  verb->add_option("--out", options.out, "the picture: .png, or .exr for its floats and hit ids")->required();
-  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
+  verb.add_option("--frames", options.frames, "frames to render; times are their mean").range(1, 1000000);
+  verb.add_option("--reference", options.reference, "an .exr picture of the same size to compare with");
+  verb.add_option("--trace", options.trace,
+                  "a timeline of all chunks, for Perfetto or chrome://tracing: .json");
+  verb.add_option("--out", options.out, "the picture: .png, or .exr for its floats and hit ids").required();
+  verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

@@ -25,11 +25,10 @@ int run(const std::vector<std::string>& folders, bool as_json) {
 }  // namespace
 
 void add_report(CommandLine& line) {
-  CLI::App* const verb =
-      add_verb(line, "report", "the tables of finished runs anew, from their records alone");
+  Command verb = add_verb(line, "report", "the tables of finished runs anew, from their records alone");
   static std::vector<std::string> folders;
-  verb->add_option("folder", folders, "folders of runs")->required();
-  verb->callback([&line] { line.action = [&line] { return run(folders, line.json); }; });
+  verb.add_option("folder", folders, "folders of runs").required();
+  verb.callback([&line] { line.action = [&line] { return run(folders, line.json); }; });
 }
 
 }  // namespace raysweep

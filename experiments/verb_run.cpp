@@ -227,22 +227,20 @@ int run(const RunOptions& options, bool as_json) {
 }  // namespace
 
 void add_run(CommandLine& line) {
-  CLI::App* const verb =
-      add_verb(line, "run", "runs experiments: tables at the end, everything into a folder");
+  Command verb = add_verb(line, "run", "runs experiments: tables at the end, everything into a folder");
   static RunOptions options;
-  verb->add_option("config", options.configs, "experiment files (TOML)")->required();
-  verb->add_option("--out", options.out, "folder of the run (default: results/runs/EXPERIMENT-TIME)");
-  verb->add_flag("--resume", options.resume, "go on with the run in --out");
-  verb->add_flag("--dry-run", options.dry_run, "print the cells and how long they would take; write nothing");
-  verb->add_option("--budget", options.budget_minutes,
-                   "minutes for each experiment; those that run together share the sum")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--seed", options.seed, "seed of the launches' order");
-  verb->add_option("--set", options.overrides,
-                   "KEY=VALUE: change the config, such as threads=1..4 or measure.launches=3")
-      ->take_all()
-      ->expected(1);
-  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
+  verb.add_option("config", options.configs, "experiment files (TOML)").required();
+  verb.add_option("--out", options.out, "folder of the run (default: results/runs/EXPERIMENT-TIME)");
+  verb.add_flag("--resume", options.resume, "go on with the run in --out");
+  verb.add_flag("--dry-run", options.dry_run, "print the cells and how long they would take; write nothing");
+  verb.add_option("--budget", options.budget_minutes,
+                  "minutes for each experiment; those that run together share the sum")
+      .above_0();
+  verb.add_option("--seed", options.seed, "seed of the launches' order");
+  verb.add_option("--set", options.overrides,
+                  "KEY=VALUE: change the config, such as threads=1..4 or measure.launches=3")
+      .repeated();
+  verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

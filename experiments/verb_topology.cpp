@@ -139,15 +139,13 @@ int run(const TopologyOptions& options, bool as_json) {
 }  // namespace
 
 void add_topology(CommandLine& line) {
-  CLI::App* const verb =
-      add_verb(line, "topology", "the machine as hwloc sees it, and where each thread would go");
+  Command verb = add_verb(line, "topology", "the machine as hwloc sees it, and where each thread would go");
   static TopologyOptions options;
-  verb->add_option("--threads", options.threads, "so many threads")
-      ->check(CLI::Range(min_threads, max_threads));
-  verb->add_option("--pin", options.pin, "placed by this policy, see `raysweep list pins`");
-  verb->add_flag("--probe", options.probe,
-                 "find out which processors slow each other down: a virtual machine's topology can lie");
-  verb->callback([&line] { line.action = [&line] { return run(options, line.json); }; });
+  verb.add_option("--threads", options.threads, "so many threads").range(min_threads, max_threads);
+  verb.add_option("--pin", options.pin, "placed by this policy, see `raysweep list pins`");
+  verb.add_flag("--probe", options.probe,
+                "find out which processors slow each other down: a virtual machine's topology can lie");
+  verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 
 }  // namespace raysweep

@@ -6,15 +6,15 @@
 
 namespace raysweep {
 
-CLI::App* add_verb(CommandLine& line, const std::string& name, const std::string& summary) {
-  CLI::App* const verb = line.app.add_subcommand(name, summary);
-  verb->add_flag("--json", line.json,
-                 "one JSON document on standard output, everything else on standard error");
+Command add_verb(CommandLine& line, const std::string& name, const std::string& summary) {
+  Command verb = line.app.add_subcommand(name, summary);
+  verb.add_flag("--json", line.json,
+                "one JSON document on standard output, everything else on standard error");
   return verb;
 }
 
 void add_all_verbs(CommandLine& line) {
-  line.app.require_subcommand(1);
+  line.app.require_subcommand(1, 1);
   line.app.set_version_flag("--version", RAYSWEEP_VERSION);
   for (const auto add : {add_run, add_render, add_list, add_topology, add_doctor, add_report, add_compare,
                          add_peers, add_launch})
@@ -24,9 +24,9 @@ void add_all_verbs(CommandLine& line) {
 void refuse_unknown_verb(const CommandLine& line, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::string known;
-  for (const CLI::App* verb : line.app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (verb->get_name() == argv[1]) return;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", verb->get_name());
+  for (const std::string& verb : line.app.subcommand_names()) {
+    if (verb == argv[1]) return;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", verb);
   }
   throw RequestError(fmt::format("unknown verb \"{}\"; possible: {}", argv[1], known));
 }

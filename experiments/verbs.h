@@ -2,13 +2,15 @@
 // returns the exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+
+#include "experiments/command_line.h"
 
 namespace raysweep {
 
 struct CommandLine {
-  CLI::App app{"raysweep: how fast does this picture get when more threads share it?", "raysweep"};
+  Command app{"raysweep: how fast does this picture get when more threads share it?", "raysweep"};
   bool json = false;  // one JSON document on standard output and nothing else there
   std::function<int()> action;
 };
@@ -31,6 +33,6 @@ void add_all_verbs(CommandLine& line);
 void refuse_unknown_verb(const CommandLine& line, int argc, char** argv);
 
 /// A verb with the options that all verbs have.
-CLI::App* add_verb(CommandLine& line, const std::string& name, const std::string& summary);
+Command add_verb(CommandLine& line, const std::string& name, const std::string& summary);
 
 }  // namespace raysweep

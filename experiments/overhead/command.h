@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
+#include "experiments/command_line.h"
 #include "experiments/errors.h"
 #include "schedulers/registry.h"
 
@@ -12,16 +11,14 @@ namespace raysweep {
 
 /// Parses, runs `action`, and tells what went wrong as a sentence. The exit code.
 template <class Action>
-int run_command(CLI::App& app, int argc, char** argv, Action action) {
+int run_command(Command& app, int argc, char** argv, Action action) {
   const auto tell = [&](const std::exception& error, int code) {
-    fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+    fmt::print(stderr, "{}: {}\n", app.name(), error.what());
     return code;
   };
   try {
-    app.parse(argc, argv);
+    if (const auto code = app.parse(argc, argv)) return *code;
     return action();
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_refused;
   } catch (const RequestError& error) {
     return tell(error, exit_refused);
   } catch (const SchedulerError& error) {

@@ -127,16 +127,13 @@ int compare_loops(const DirectProgram& program, DirectOptions options) {
 }  // namespace
 
 int compare_directly(const DirectProgram& program, int argc, char** argv) {
-  CLI::App app{"A loop by hand against the same through raysweep's schedulers, in turns", program.name};
+  Command app{"A loop by hand against the same through raysweep's schedulers, in turns", program.name};
   DirectOptions options;
-  app.add_option("--threads", options.threads, "default: one a processor")
-      ->check(CLI::Range(min_threads, max_threads));
+  app.add_option("--threads", options.threads, "default: one a processor").range(min_threads, max_threads);
   app.add_option("--rounds", options.rounds, "six are needed for an interval")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  app.add_option("--items", options.items, "in each run")
-      ->check(CLI::Range(100, max_chunk))
-      ->capture_default_str();
+      .range(1, 100'000)
+      .capture_default_str();
+  app.add_option("--items", options.items, "in each run").range(100, max_chunk).capture_default_str();
   app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
   return run_command(app, argc, argv, [&] { return compare_loops(program, options); });
 }

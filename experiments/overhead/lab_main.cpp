@@ -32,12 +32,10 @@ struct RowOptions {
 };
 
 /// CLI11's own range up to the largest number is told with all its 309 digits.
-const CLI::Validator positive(
-    [](const std::string& text) {
-      const auto seconds = parse_number<double>(text);
-      return seconds && *seconds > 0 && *seconds <= 3600 ? "" : text + " is no number above 0 and up to 3600";
-    },
-    "POSITIVE");
+std::string problem_of_seconds(const std::string& text) {
+  const auto seconds = parse_number<double>(text);
+  return seconds && *seconds > 0 && *seconds <= 3600 ? "" : text + " is no number above 0 and up to 3600";
+}
 
 RowParts parse_parts(const std::string& list) {
   RowParts parts;
@@ -119,52 +117,52 @@ int run_lab(const LabOptions& options) {
   return std::ranges::any_of(all, failed) ? exit_failed : exit_done;
 }
 
-void add_lab_options(CLI::App& app, LabOptions& options) {
+void add_lab_options(Command& app, LabOptions& options) {
   app.add_option("--scheduler", options.schedulers, "these (default: all that are available)");
   app.add_option("--threads", options.threads, "counts, \"cores\" and \"processors\", by commas")
-      ->capture_default_str();
+      .capture_default_str();
   app.add_option("--wait-policy", options.wait_policy, "of idle workers: default, active or passive")
-      ->capture_default_str();
+      .capture_default_str();
   app.add_option("--study", options.study, "schedulers, waiting (how workers wait) or all")
-      ->check(CLI::IsMember({"schedulers", "waiting", "all"}))
-      ->capture_default_str();
+      .one_of({"schedulers", "waiting", "all"})
+      .capture_default_str();
   app.add_flag("--beside-load", options.beside_load,
                "measure each way to wait again beside one busy process on the same processors");
-  app.add_option("--seconds", options.seconds, "about so long a row")->check(positive)->capture_default_str();
+  app.add_option("--seconds", options.seconds, "about so long a row")
+      .check(problem_of_seconds, "POSITIVE")
+      .capture_default_str();
   app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
 }
 
-CLI::App* add_row(CLI::App& app, RowOptions& options) {
-  CLI::App* const row = app.add_subcommand("row",
-                                           "one row in this process: what this program starts itself; "
-                                           "takes Google Benchmark's flags, --benchmark_…");
-  row->allow_extras();
-  row->add_option("--scheduler", options.scheduler)->required();
-  row->add_option("--runtime", options.runtime, "of OpenMP: libgomp or libomp");
-  row->add_option("--threads", options.threads)->check(CLI::Range(min_threads, max_threads));
-  row->add_option("--wait-policy", options.wait_policy);
-  row->add_option("--spin-count", options.spin_count)->check(CLI::NonNegativeNumber);
-  row->add_option("--measure", options.parts, "region, chunks, sizes, burn, by commas")
-      ->capture_default_str();
-  row->add_option("--seconds", options.seconds)->check(positive);
-  row->add_option("--call-ns", options.speed.call, "of busy work of no iterations")
-      ->check(CLI::NonNegativeNumber);
-  row->add_option("--iteration-ns", options.speed.iteration, "of busy work; measured if it is not given")
-      ->check(positive);
+Command add_row(Command& app, RowOptions& options) {
+  Command row = app.add_subcommand("row",
+                                   "one row in this process: what this program starts itself; "
+                                   "takes Google Benchmark's flags, --benchmark_…");
+  row.allow_extras();
+  row.add_option("--scheduler", options.scheduler).required();
+  row.add_option("--runtime", options.runtime, "of OpenMP: libgomp or libomp");
+  row.add_option("--threads", options.threads).range(min_threads, max_threads);
+  row.add_option("--wait-policy", options.wait_policy);
+  row.add_option("--spin-count", options.spin_count).at_least_0();
+  row.add_option("--measure", options.parts, "region, chunks, sizes, burn, by commas").capture_default_str();
+  row.add_option("--seconds", options.seconds).check(problem_of_seconds, "POSITIVE");
+  row.add_option("--call-ns", options.speed.call, "of busy work of no iterations").at_least_0();
+  row.add_option("--iteration-ns", options.speed.iteration, "of busy work; measured if it is not given")
+      .check(problem_of_seconds, "POSITIVE");
   return row;
 }
 
 int start(int argc, char** argv) {
-  CLI::App app{"What does handing work out cost, per scheduler, runtime and threads?", "overhead_lab"};
+  Command app{"What does handing work out cost, per scheduler, runtime and threads?", "overhead_lab"};
   LabOptions lab;
   RowOptions row_options;
   add_lab_options(app, lab);
-  const CLI::App* const row = add_row(app, row_options);
-  const CLI::App* const load = app.add_subcommand("load", "use a processor until standard input is closed");
+  const Command row = add_row(app, row_options);
+  const Command load = app.add_subcommand("load", "use a processor until standard input is closed");
   app.require_subcommand(0, 1);
   return run_command(app, argc, argv, [&] {
-    if (*row) return run_row(row_options, row->remaining());
-    if (*load) return be_busy(), exit_done;
+    if (row.was_given()) return run_row(row_options, row.remaining());
+    if (load.was_given()) return be_busy(), exit_done;
     return run_lab(lab);
   });
 }

@@ -110,14 +110,14 @@ int run(const TeamOptions& options) {
 }
 
 int measure_teams(int argc, char** argv) {
-  CLI::App app{"What does changing the size of an OpenMP team cost?", "overhead_team_sizes"};
+  Command app{"What does changing the size of an OpenMP team cost?", "overhead_team_sizes"};
   TeamOptions options;
   app.add_option("--rounds", options.rounds, "six are needed for an interval")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
+      .range(1, 100'000)
+      .capture_default_str();
   app.add_option("--regions", options.regions, "pairs of regions of each kind in a round")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+      .range(1, 1'000'000)
+      .capture_default_str();
   app.add_option("--out", options.out, "write tables into this folder, as Markdown and CSV");
   return run_command(app, argc, argv, [&] { return run(options); });
 }
