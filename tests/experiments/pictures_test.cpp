@@ -24,6 +24,7 @@ const std::vector<const char*> shapes{"rows", "columns", "tiles:7"};
 
 Cell small_cell() {
   Cell cell;
+  cell.scene = "many-lights";  // no mesh, which would be made anew for each of a hundred pictures
   cell.settings.width = 40;
   cell.settings.height = 30;
   cell.settings.subpixels = 2;
