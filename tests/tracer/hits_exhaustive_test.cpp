@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t ray_count = 1'000'000;
 
-/// Brute force takes 0.1 ms a ray on the chair.
+/// Brute force takes 30 µs a ray on the chair, by four at a time.
 size_t rays_of(const std::string& scene) {
   return scene == "chair-ball" || scene == "studio" ? ray_count / 2 : ray_count;
 }
