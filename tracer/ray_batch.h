@@ -1,4 +1,5 @@
-// Many rays and their answers, each number in an array of its own: what SIMD kernels and other tracers are handed.
+// Many rays and their answers, each number in an array of its own: what SIMD kernels and other tracers are
+// handed.
 #pragma once
 
 #include <cstdint>
@@ -46,8 +47,8 @@ struct RayBatch {
   }
 };
 
-/// The nearest hit of each ray of a batch: distance and primitive; `no_hit_id` and the ray's own `t_max` where there is
-/// none. For rays that only ask whether anything is in their way, any hit's.
+/// The nearest hit of each ray of a batch: distance and primitive; `no_hit_id` and the ray's own `t_max`
+/// where there is none. For rays that only ask whether anything is in their way, any hit's.
 struct HitBatch {
   LaneArray<float> t;
   LaneArray<uint32_t> id;

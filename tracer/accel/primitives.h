@@ -59,9 +59,10 @@ class Primitives {
     return hit ? accept_triangle(id, hit->t, ray, slab_ray, after) : std::nullopt;
   }
 
-  /// The distance at which triangle `id` counts as hit if its method found it at `t`: for methods that ran elsewhere.
-  [[nodiscard]] std::optional<T> accept_triangle(uint32_t id, T t, const Ray<T>& ray, const SlabRay<T>& slab_ray,
-                                                 const Hit<T>& after) const {
+  /// The distance at which triangle `id` counts as hit if its method found it at `t`: for methods that ran
+  /// elsewhere.
+  [[nodiscard]] std::optional<T> accept_triangle(uint32_t id, T t, const Ray<T>& ray,
+                                                 const SlabRay<T>& slab_ray, const Hit<T>& after) const {
     if (!triangles_[id - first_triangle()].is_ahead_of(ray)) return std::nullopt;
     return accept(id, t, slab_ray, after);
   }

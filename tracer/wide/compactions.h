@@ -8,7 +8,8 @@
 
 namespace raysweep {
 
-/// For each set of 8 lanes their numbers, lowest first, packed as in WideNode::far_to_near; what follows is 0.
+/// For each set of 8 lanes their numbers, lowest first, packed as in WideNode::far_to_near; what follows is
+/// 0.
 inline constexpr std::array<uint32_t, 256> compactions = [] {
   std::array<uint32_t, 256> table{};
   for (uint32_t set = 0; set < 256; ++set) {
