@@ -50,7 +50,7 @@ class Collapser {
   /// of them its left child gets; 0: it stays one child; −1: k − 1 children are no dearer.
   struct Plan {
     std::array<float, width> cost;
-    std::array<int8_t, width> left;
+    std::array<int16_t, width> left;
     uint32_t item_count, sphere_count;
     bool is_leaf;
   };
@@ -77,11 +77,11 @@ class Collapser {
     p.item_count = left.item_count + right.item_count;
     p.sphere_count = left.sphere_count + right.sphere_count;
     const auto share = [&](int slots) {
-      std::pair<float, int8_t> best{never, 1};
+      std::pair<float, int16_t> best{never, 1};
       for (int l = 1; l < slots; ++l)
         best = std::min(
             best, {left.cost[static_cast<size_t>(l - 1)] + right.cost[static_cast<size_t>(slots - l - 1)],
-                   static_cast<int8_t>(l)});
+                   static_cast<int16_t>(l)});
       return best;
     };
     const bool is_one_kind = p.sphere_count == 0 || p.sphere_count == p.item_count;
@@ -97,7 +97,7 @@ class Collapser {
       const auto [cost, l] = share(slots);
       const bool pays = cost < p.cost[k - 1];
       p.cost[k] = pays ? cost : p.cost[k - 1];
-      p.left[k] = pays ? l : int8_t{-1};
+      p.left[k] = pays ? l : int16_t{-1};
     }
   }
 

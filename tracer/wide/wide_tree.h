@@ -50,7 +50,7 @@ struct WideTree {
   Box<float> bounds;  // of everything
 
   /// Entries that any traversal's stack may need.
-  [[nodiscard]] size_t stack_size() const { return static_cast<size_t>((width - 1) * depth + 2); }
+  [[nodiscard]] size_t stack_size() const { return size_t{width - 1} * static_cast<size_t>(depth) + 2; }
 };
 
 /// Which items are spheres, and whether leaves may be made larger than the hierarchy's own.
