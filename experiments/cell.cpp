@@ -98,7 +98,10 @@ void collapse_ignored_factors(Cell& cell) {
   const SchedulerInfo* const info = find_scheduler(cell.scheduler);
   if (!info) return;
   const Cell usual;
-  cell.settings.isa = cell.settings.core == "wide" ? cell.isa_text() : usual.settings.isa;
+  const bool is_wide = cell.settings.core == "wide";
+  cell.settings.isa = is_wide ? cell.isa_text() : usual.settings.isa;
+  if (is_wide && cell.settings.accel == "sah")
+    cell.settings.leaf = usual.settings.leaf;  // its leaves fill their blocks
   if (!info->uses_threads) cell.threads = 1;
   if (!info->uses_chunk) cell.chunk = usual.chunk;
   cell.runtime = info->uses_runtime() ? cell.runtime_text() : usual.runtime;

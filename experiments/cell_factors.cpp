@@ -242,7 +242,8 @@ const std::array factors{
     CellFactor{"lights", "0 to 64, or scene for as many as it has", true, set_lights,
                [](const Cell& c) { return c.lights_text(); }},
     RAYSWEEP_CHOICE("accel", settings.accel, accels),
-    RAYSWEEP_INT("leaf", settings.leaf, leaf_range, "primitives a leaf holds at most"),
+    RAYSWEEP_INT("leaf", settings.leaf, leaf_range,
+                 "primitives a leaf holds at most; with core wide and accel sah, a block"),
     RAYSWEEP_CHOICE("core", settings.core, cores),
     RAYSWEEP_CHOICE("method", settings.method, methods),
     RAYSWEEP_CHOICE("precision", settings.precision, precisions),
@@ -294,13 +295,13 @@ void set_factor(Cell& cell, const CellFactor& factor, const std::string& value) 
   if (const std::string problem = factor.set(cell, value); !problem.empty()) throw RequestError(problem);
 }
 
-void refuse_impossible(const Cell& cell) {
+void refuse_impossible(const Cell& cell, const std::string& where) {
   const RenderSettings& s = cell.settings;
   if (s.core != "wide" || s.precision == "float") return;
-  throw RequestError(
-      fmt::format("core = \"wide\" computes in float, not in precision = \"{}\": choose float, or the core "
-                  "scalar or m11 for this precision (in a sweep, [sweep.zip] advances both together)",
-                  s.precision));
+  throw RequestError(fmt::format(
+      "{}{}core = \"wide\" computes in float, not in precision = \"{}\": choose float, or the core "
+      "scalar or m11 for this precision (in a sweep, [sweep.zip] advances both together)",
+      where, where.empty() ? "" : ": ", s.precision));
 }
 
 void set_mode(Cell& cell, const std::string& mode) {

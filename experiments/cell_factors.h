@@ -26,8 +26,9 @@ struct CellFactor {
 /// Sets the factor. Throws RequestError with the factor's sentence.
 void set_factor(Cell& cell, const CellFactor& factor, const std::string& value);
 
-/// Throws RequestError if the factors, each possible, do not go together.
-void refuse_impossible(const Cell& cell);
+/// Throws RequestError if the factors, each possible, do not go together; `where` is the file that asks for
+/// them, if any.
+void refuse_impossible(const Cell& cell, const std::string& where = {});
 
 /// Takes over a mode's numbers. Throws RequestError for an unknown mode.
 void set_mode(Cell& cell, const std::string& mode);

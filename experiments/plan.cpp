@@ -17,7 +17,6 @@ class Planner {
 
   /// The cell itself after the cells that it is compared with.
   void add_with_bases(Cell cell) {
-    refuse_impossible(cell);
     collapse_ignored_factors(cell);
     const Cell serial = serial_cell(cell);
     Cell one = cell;
@@ -106,6 +105,7 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
       cells = std::move(extended);
     }
     for (Cell& cell : cells) {
+      refuse_impossible(cell, config.file);
       most = std::max(most, cell.lights.emplace(cell.lights.value_or(lights)));
       planner.add_with_bases(cell);
     }

@@ -21,7 +21,7 @@ inline constexpr size_t batch_lanes = 16;
 template <class T>
 using LaneArray = std::vector<T, CacheLineAllocator<T>>;
 
-/// `size` rays; what pads the arrays is 0.
+/// `size` rays; what lies beyond in the arrays is never looked at.
 struct RayBatch {
   LaneArray<float> origin_x, origin_y, origin_z, direction_x, direction_y, direction_z;
   LaneArray<float> t_max;  // hits farther than this do not count; infinity where all do

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "experiments/clock.h"
+#include "experiments/errors.h"
 #include "experiments/peers/embree_team.h"
 #include "results/statistics/statistics.h"
 #include "tracer/peers/embree_rays.h"
@@ -42,7 +43,7 @@ std::shared_ptr<const EmbreeScene> build(const Scene& scene, const EmbreeBuild& 
   return built;
 }
 
-/// The instruction sets that Embree 3 has code of its own for and this processor has.
+/// Of the instruction sets that Embree 3 has code for, the two best, as far as this processor has them.
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> names;
   for (const char* name : {"avx2", "avx512"}) {
@@ -53,6 +54,8 @@ std::vector<std::string> instruction_sets() {
       continue;
     }
   }
+  if (names.empty())
+    throw RequestError("peers: Embree is compared on AVX2 and AVX-512; this processor has neither");
   return names;
 }
 

@@ -21,7 +21,7 @@ struct EmbreeModule {
 inline constexpr size_t embree_layout =
     ((sizeof(Scene) * 4096 + sizeof(Team)) * 4096 + sizeof(RayBatch)) * 4096 + sizeof(HitBatch);
 
-/// The only symbol that the module exports.
+/// The symbol that is looked up.
 using EmbreeModuleFunction = const EmbreeModule* (*)();
 inline constexpr const char* embree_module_symbol = "raysweep_embree_module";
 

@@ -74,7 +74,10 @@ Team make_our_team(const Scene& scene) {
   Team team;
   BuildCost cost;
   const auto enter = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
-    const auto core = build<FastCore<width>>(scene, isa, cost);
+    BuildCost here;
+    const auto core = build<FastCore<width>>(scene, isa, here);
+    if (team.entrants.empty() || here.seconds < cost.seconds)
+      cost = here;  // as for Embree, the quicker one counts
     team.entrants.push_back(
         {std::make_unique<OurContestant<FastCore<width>>>("single " + std::string(isa), core), true, false});
   };

@@ -69,7 +69,9 @@ TEST(cell, every_factor_is_in_the_key) {
 TEST(cell, the_instruction_set_tells_cells_of_the_core_wide_apart_and_no_others) {
   Cell best, other;
   for (Cell* cell : {&best, &other}) set_factor(*cell, *find_factor("core"), "wide");
-  set_factor(other, *find_factor("isa"), "baseline");
+  const std::string last(built_isas().back().name);
+  if (last == best_isa()) GTEST_SKIP() << "there is one only";
+  set_factor(other, *find_factor("isa"), last);
   EXPECT_EQ(best.isa_text(), best_isa());
   EXPECT_NE(best.key(), other.key());
   Cell named = best;

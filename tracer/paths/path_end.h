@@ -16,7 +16,7 @@ class PathEnd {
 
   /// Whether a path of `weight` ends at a surface of `material`, its `level`th; else `weight` becomes that of
   /// what the surface reflects.
-  bool is_here(const Surfacing<T>& material, int level, T& weight, LeftOut& left_out) const {
+  [[nodiscard]] bool is_here(const Surfacing<T>& material, int level, T& weight, LeftOut& left_out) const {
     if (material.reflect == 0) return true;
     if (level == depth_) {
       left_out.by_depth++;

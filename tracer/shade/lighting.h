@@ -1,6 +1,7 @@
 // Materials and lights of a scene in one precision, and what lights do at a point.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "tracer/math/ray.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "tracer/wide/wide_tree.h"
 
@@ -9,7 +10,8 @@ namespace raysweep {
 
 namespace {
 
-// Both read four to five cache lines and do about fifty vector operations.
+// Both read four to seven cache lines and do about fifty vector operations; halving or doubling either
+// changes the time of traversal by less than its noise.
 constexpr float node_cost = 1, block_cost = 1;
 constexpr float never = std::numeric_limits<float>::infinity();
 
@@ -89,7 +91,7 @@ class Collapser {
     const float as_leaf = may_be_leaf ? n.box.half_area() * block_cost : never;
     const auto [children, first] = share(width);
     const float as_node = children + n.box.half_area() * node_cost;
-    p.is_leaf = as_leaf <= as_node;
+    p.is_leaf = may_be_leaf && as_leaf <= as_node;  // boxes may be so large that both are infinite
     p.cost[0] = std::min(as_leaf, as_node);
     p.left[0] = first;
     for (int slots = 2; slots < width; ++slots) {
@@ -131,6 +133,7 @@ class Collapser {
 
   WideChild add_block(std::span<const uint32_t> items, bool goes_on = false) {
     const size_t index = tree_.block_goes_on.size();
+    if (index >= sphere_bit) throw std::length_error("a mesh of more than a billion leaves");
     for (size_t i = 0; i < width; ++i) tree_.block_items.push_back(i < items.size() ? items[i] : no_hit_id);
     tree_.block_goes_on.push_back(goes_on ? 1 : 0);
     return static_cast<WideChild>(index);

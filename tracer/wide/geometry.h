@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 #include "tracer/accel/primitives.h"
 #include "tracer/wide/wide_tree.h"
 
 namespace raysweep {
 
-/// Floats that `Method` prepares for a triangle.
+/// Floats that `Method` prepares for a triangle: nothing but floats.
 template <class Method>
 inline constexpr int prepared_rows = static_cast<int>(sizeof(typename Method::template Prepared<float>) /
                                                       sizeof(float));
@@ -29,16 +30,15 @@ struct WideGeometry {
       for (size_t lane = 0; lane < width; ++lane)
         set_lane(blocks[b], lane, tree.block_items[b * width + lane]);
     }
-    tree.block_items = {};
-    tree.block_goes_on = {};
-  }
-
-  [[nodiscard]] size_t bytes() const {
-    return tree.nodes.size() * sizeof(tree.nodes[0]) + blocks.size() * sizeof(Block);
+    // Assigning {} would keep the memory.
+    tree.block_items = std::vector<uint32_t>();
+    tree.block_goes_on = std::vector<uint8_t>();
   }
 
  private:
   void set_lane(Block& block, size_t lane, uint32_t item) const {
+    using Prepared = typename Method::template Prepared<float>;
+    static_assert(std::is_trivially_copyable_v<Prepared> && sizeof(Prepared) % sizeof(float) == 0);
     block.id[lane] = item == no_hit_id ? no_hit_id : primitives->first_sphere() + item;
     if (block.id[lane] == no_hit_id || block.id[lane] < primitives->first_triangle()) return;
     float row[prepared_rows<Method>];

@@ -2,8 +2,9 @@
 // HWY_ONCE.
 #include "tracer/wide/kernels.h"
 
-// What the sets left out would add (SSSE3, AVX-512 of Ice Lake) is not used here.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+// What the sets left out would add (SSSE3, AVX-512 of Ice Lake) is not used here; vectors of SVE have no size
+// to the compiler, so that nothing can hold them.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 // The bug for which Highway gives up its portable 128-bit vectors is in 16-bit multiplication (GCC 106322),
 // which is not used here either.
 #define HWY_BROKEN_EMU128 0
@@ -34,6 +35,9 @@ BatchKernels<Method, lane_count> kernels() {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+
+#include <algorithm>
+#include <array>
 
 #include "tracer/wide/isa.h"
 
@@ -66,8 +70,8 @@ constexpr auto targets = std::to_array<Target>({
 });
 
 bool runs_here(const Target& target) {
-  // Portable code runs anywhere; Highway lists it where there is nothing better.
-  return target.bit == HWY_EMU128 || (hwy::SupportedTargets() & target.bit) != 0;
+  // What the whole program is compiled for runs wherever it does.
+  return target.bit == HWY_STATIC_TARGET || (hwy::SupportedTargets() & target.bit) != 0;
 }
 
 }  // namespace

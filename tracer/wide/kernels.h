@@ -2,8 +2,10 @@
 // time.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/intersect/morozov.h"
@@ -35,8 +37,9 @@ class KernelScratch {
 };
 
 /// For each ray the nearest hit before the one that `hits` holds already (a distance with no id is a limit),
-/// or, of the kernel `any`, some hit nearer than that distance. Rays with directions or origins beyond 2^±60
-/// or not finite are listed in `scratch.left_over` and keep their hits.
+/// or, of the kernel `any`, some hit nearer than that distance. Rays with a component of the direction
+/// that is 0 or beyond 2^±60, with an origin beyond 2^60, or with numbers that are not finite are listed in
+/// `scratch.left_over` and keep their hits.
 template <class Method, int width>
 using BatchKernel = void (*)(const WideGeometry<Method, width>& geometry, const RayBatch& rays,
                              HitBatch& hits, KernelScratch& scratch);

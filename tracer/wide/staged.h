@@ -32,12 +32,13 @@ class Staged final : public Renderer {
   RenderCounts render(const Tile& tile, Film& film) const override {
     const size_t pixel_count = static_cast<size_t>(tile.width) * static_cast<size_t>(tile.height);
     const size_t sample_count = pixel_count * pattern_.size();
-    Work work(std::min(sample_count, samples_at_once), lighting_.light_count());
+    const size_t at_once = samples_at_once();
+    Work work(std::min(sample_count, at_once), lighting_.light_count());
     RenderCounts counts;
     counts.rays.primary = sample_count;
     Vec3d pixel;  // in double: of many thousand samples a float's sum drifts
-    for (size_t first = 0; first < sample_count; first += samples_at_once) {
-      const size_t count = std::min(samples_at_once, sample_count - first);
+    for (size_t first = 0; first < sample_count; first += at_once) {
+      const size_t count = std::min(at_once, sample_count - first);
       generate(work, first, count, tile);
       trace(work, counts);
       for (size_t i = 0; i < count; ++i) {
@@ -56,11 +57,13 @@ class Staged final : public Renderer {
     return hit ? hit->id : no_hit_id;
   }
 
-  [[nodiscard]] const Core& core() const { return core_; }
-
  private:
-  /// Enough to keep a kernel's rays in flight busy, few enough for the second cache.
-  static constexpr size_t samples_at_once = 1024;
+  /// Samples whose rays are handed on together: enough to keep a kernel's rays in flight busy, few enough for
+  /// the second cache, also where each of them sends rays to many lights.
+  [[nodiscard]] size_t samples_at_once() const {
+    constexpr size_t least = 64, most = 1024, shadow_rays = 4096;
+    return std::clamp(shadow_rays / std::max<size_t>(lighting_.light_count(), 1), least, most);
+  }
 
   struct Offset {
     float x, y;

@@ -12,8 +12,7 @@
 
 #include <bit>
 
-#include "tracer/wide/kernels.h"
-#include "tracer/wide/lanes-inl.h"
+#include "tracer/wide/ray_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -23,34 +22,6 @@ namespace HWY_NAMESPACE {
 /// cache.
 inline constexpr uint32_t slot_count = 32;
 
-/// Rays looked at before the next ones begin: so many that the loop's end is rare.
-inline constexpr size_t chosen_at_once = 256;
-
-/// What a wide node's planes are compared with, for one ray: t = plane·reciprocal + offset.
-///
-/// One fused operation a plane instead of `slab`'s two, and still no box is lost that `slab` keeps. With u =
-/// 2⁻²⁴ and v = (plane − origin)·reciprocal, `slab` finds v(1 ± 2u). Here −origin·reciprocal is c(1 ± u), and
-/// moving it by 4u|c|, down for near planes and up for far ones, outweighs that and the rounding of the sum;
-/// what is left is v(1 ± u) on the safe side. Limits and far distances are widened by 1 + 32u, more than all
-/// relative errors together, `slab`'s own widening included. `smallest` outweighs underflow. Needed: no
-/// overflow, hence `is_regular`.
-struct alignas(64) Slot {
-  float reciprocal[4], near_offset[4], far_offset[4];
-  uint32_t near_plane[4];  // bytes into a node; [3]: of the octant's order
-  float origin[4], direction[4];
-  float limit;  // `t`, widened
-  uint32_t top;
-  WideChild current;
-  uint32_t ray;
-  float t;  // the nearest hit so far
-  uint32_t id;
-  uint32_t candidates, block;  // lanes of `block` that may be nearer, at `distances`
-  float distances[8];
-  uint32_t bottom;  // of its stack
-};
-
-inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
-inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
 inline constexpr WideChild sentinel = leaf_bit;  // the block without primitives: the end of a ray's stack
 
 template <class Method, bool any>
@@ -65,10 +36,9 @@ class Stream {
       : primitives_(*geometry.primitives),
         nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
-        bounds_(geometry.tree.bounds),
         rays_(rays),
         hits_(hits),
-        left_over_(scratch.left_over) {
+        chooser_(rays, hits, geometry.tree.bounds, scratch.left_over) {
     // A vector's store at the top of a stack reaches past it.
     const size_t stack_size = padded_to_lanes(geometry.tree.stack_size() + lane_count);
     char* memory =
@@ -82,7 +52,7 @@ class Stream {
       *list = lists;
       lists += slot_count;
     }
-    pending_ = lists;
+    chooser_.work_in(lists);
     for (uint32_t i = 0; i < slot_count; ++i) {
       Slot& slot = *new (slots_ + i * sizeof(Slot)) Slot;
       slot.bottom = static_cast<uint32_t>(i * stack_size);
@@ -94,7 +64,7 @@ class Stream {
   HWY_INLINE void run() {
     uint32_t node_count = 0;
     leaf_count_ = 0;
-    for (uint32_t i = 0; i < slot_count && has_next(); ++i) {
+    for (uint32_t i = 0; i < slot_count && chooser_.has_next(); ++i) {
       const auto slot = static_cast<uint32_t>(i * sizeof(Slot));
       load(slot);
       nodes_now_[node_count++] = slot;
@@ -116,69 +86,15 @@ class Stream {
   HWY_INLINE Slot& slot_at(uint32_t offset) const { return *reinterpret_cast<Slot*>(slots_ + offset); }
 
   /// Puts the ray into the list of what it needs next. Every list is written, one of them grows: no branch.
-  HWY_INLINE void enlist(uint32_t slot, WideChild next, uint32_t is_candidate, uint32_t* leaves,
-                         uint32_t& leaf_count) {
+  HWY_INLINE void enlist(uint32_t slot, WideChild next, uint32_t is_candidate) {
     const uint32_t is_leaf = (next >> 31) & (1 - is_candidate),
                    is_end = (next == sentinel ? 1u : 0u) & is_leaf;
     nodes_next_[next_count_] = slot;
     next_count_ += 1 - is_leaf - is_candidate;
-    leaves[leaf_count] = slot;
-    leaf_count += is_leaf - is_end;
+    leaves_[leaf_count_] = slot;
+    leaf_count_ += is_leaf - is_end;
     ended_[ended_count_] = slot;
     ended_count_ += is_end;
-  }
-
-  /// Whether a ray is left that may meet something. Those that miss the box around everything are done: most
-  /// rays of an open scene, and so many at a time cost little.
-  HWY_INLINE bool has_next() {
-    while (next_pending_ == pending_count_ && next_chosen_ < rays_.size) {
-      next_pending_ = pending_count_ = 0;
-      const size_t end = std::min(next_chosen_ + chosen_at_once, rays_.size);
-      for (; next_chosen_ < end; next_chosen_ += lane_count) choose(next_chosen_);
-    }
-    return next_pending_ < pending_count_;
-  }
-
-  /// Of the rays in lanes from `first` on, lists those that meet the box around everything.
-  HWY_INLINE void choose(size_t first) {
-    const Floats d;
-    const Words dw;
-    const Lanes3 origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
-    const Lanes3 direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
-    FloatLanes enter = hn::Zero(d), leave = hn::Load(d, hits_.t.data() + first);
-    LaneMask is_regular = hn::Eq(enter, enter);
-    const auto cut = [&](const FloatLanes& from, const FloatLanes& along, float lower, float upper) HWY_ATTR {
-      const FloatLanes size = hn::Abs(along), high = hn::Set(Floats(), regular_high);
-      is_regular =
-          hn::And(is_regular, hn::And(hn::Ge(size, hn::Set(Floats(), regular_low)), hn::Le(size, high)));
-      is_regular = hn::And(is_regular, hn::Le(hn::Abs(from), high));
-      const FloatLanes reciprocal = hn::Div(hn::Set(Floats(), 1.0f), along);
-      const FloatLanes c = hn::Neg(hn::Mul(from, reciprocal));
-      const FloatLanes error =
-          hn::MulAdd(hn::Abs(c), hn::Set(Floats(), offset_error), hn::Set(Floats(), smallest));
-      const FloatLanes a = hn::Mul(hn::Set(Floats(), lower), reciprocal),
-                       b = hn::Mul(hn::Set(Floats(), upper), reciprocal);
-      const FloatLanes slack = hn::Add(error, error);
-      enter = hn::Max(enter, hn::Sub(hn::Add(hn::Min(a, b), c), slack));
-      leave = hn::Min(leave, hn::Add(hn::Add(hn::Max(a, b), c), slack));
-    };
-    cut(origin.x, direction.x, bounds_.lower().x, bounds_.upper().x);
-    cut(origin.y, direction.y, bounds_.lower().y, bounds_.upper().y);
-    cut(origin.z, direction.z, bounds_.lower().z, bounds_.upper().z);
-    const LaneMask is_there =
-        hn::RebindMask(d, hn::Lt(hn::Iota(dw, 0), hn::Set(dw, static_cast<uint32_t>(rays_.size - first))));
-    const LaneMask meets = hn::Le(enter, hn::Mul(leave, hn::Set(d, widening)));
-    const Compaction chosen(hn::And(hn::And(meets, is_regular), is_there));
-    hn::StoreU(chosen(hn::Iota(dw, static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
-    pending_count_ += chosen.count();
-    for (uint32_t left = bits_of(hn::AndNot(is_regular, is_there)); left != 0; left &= left - 1)
-      left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));
-  }
-
-  HWY_INLINE static Lanes3 load_at(const LaneArray<float>& x, const LaneArray<float>& y,
-                                   const LaneArray<float>& z, size_t first) {
-    const Floats d;
-    return {hn::Load(d, x.data() + first), hn::Load(d, y.data() + first), hn::Load(d, z.data() + first)};
   }
 
   /// Begins the next ray at the root.
@@ -186,7 +102,7 @@ class Stream {
     const hn::FixedTag<float, 4> d;
     const hn::FixedTag<uint32_t, 4> du;
     Slot& slot = slot_at(offset);
-    const size_t i = pending_[next_pending_++];
+    const size_t i = chooser_.next();
     auto origin = hn::Zero(d), direction = hn::Set(d, 1.0f);
     origin = hn::InsertLane(origin, 0, rays_.origin_x[i]);
     origin = hn::InsertLane(origin, 1, rays_.origin_y[i]);
@@ -263,7 +179,7 @@ class Stream {
       --top;
       slot.current = stack_[top];
       slot.top = top;
-      enlist(offset, slot.current, 0, leaves_, leaf_count_);
+      enlist(offset, slot.current, 0);
     }
   }
 
@@ -293,7 +209,7 @@ class Stream {
       const uint32_t is_candidate = candidates != 0 ? 1 : 0;
       candidates_[candidate_count_] = offset;
       candidate_count_ += is_candidate;
-      enlist(offset, slot.current, is_candidate, leaves_, leaf_count_);
+      enlist(offset, slot.current, is_candidate);
     }
   }
 
@@ -321,7 +237,7 @@ class Stream {
       }
     }
     if (is_nearer) shorten(slot);
-    enlist(offset, slot.current, 0, leaves_, leaf_count_);
+    enlist(offset, slot.current, 0);
   }
 
   /// Forgets what begins behind the new nearest hit; of rays that any hit ends, everything.
@@ -355,7 +271,7 @@ class Stream {
     const Slot& slot = slot_at(offset);
     hits_.t[slot.ray] = slot.t;
     hits_.id[slot.ray] = slot.id;
-    if (!has_next()) return;
+    if (!chooser_.has_next()) return;
     load(offset);
     nodes_next_[next_count_++] = offset;
   }
@@ -363,18 +279,14 @@ class Stream {
   const Primitives<float, Method>& primitives_;
   const Node* const nodes_;
   const Block* const blocks_;
-  const Box<float>& bounds_;
   const RayBatch& rays_;
   HitBatch& hits_;
-  std::vector<uint32_t>& left_over_;
   char* slots_;
   WideChild* stack_;
   float* enters_;
   uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
-  size_t next_chosen_ = 0;  // the first ray not looked at
-  uint32_t* pending_;       // rays to be begun
-  uint32_t next_pending_ = 0, pending_count_ = 0;
+  Chooser chooser_;
 };
 
 }  // namespace HWY_NAMESPACE

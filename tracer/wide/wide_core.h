@@ -34,8 +34,6 @@ class WideCore {
   WideCore& operator=(const WideCore&) = delete;
 
   [[nodiscard]] const Primitives<float, Method>& primitives() const { return primitives_; }
-  [[nodiscard]] const WideTree<width>& tree() const { return geometry_.tree; }
-  [[nodiscard]] size_t bytes() const { return geometry_.bytes(); }
 
   /// The first hit after `after` with t ≤ `t_max`. A ray with a number that is not finite hits nothing.
   [[nodiscard]] std::optional<Hit<float>> closest(

@@ -115,6 +115,7 @@ TEST(peers, leaves_a_kind_without_rays_out_and_says_so) {
   const PeersResult result = compare_with_embree(request, load_embree(), say_nothing);
   for (const std::string& sentence : result.left_out)
     EXPECT_NE(sentence.find("nothing to start them at"), std::string::npos);
+  EXPECT_EQ(result.left_out.size(), 3u) << "all but primary";
   EXPECT_EQ(result.rows.size() + 2 * result.left_out.size(), 8u);
 }
 #endif

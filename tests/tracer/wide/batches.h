@@ -21,8 +21,9 @@ size_t count_differences(const Wide& core, const Oracle& oracle, const std::vect
     const auto& [ray, t_max] = tests[i];
     const auto expected = oracle.closest(ray, Hit<float>::start(), t_max);
     const bool same = expected ? nearest.id[i] == expected->id && nearest.t[i] == expected->t
-                               : nearest.id[i] == no_hit_id && !(nearest.t[i] < t_max);
-    const bool same_shadow = (any.id[i] != no_hit_id) == oracle.occluded(ray, t_max);
+                               : nearest.id[i] == no_hit_id && (nearest.t[i] == t_max || std::isnan(t_max));
+    const bool same_shadow =
+        oracle.occluded(ray, t_max) ? any.id[i] != no_hit_id && any.t[i] < t_max : any.id[i] == no_hit_id;
     differences += same && same_shadow ? 0 : 1;
   }
   return differences;

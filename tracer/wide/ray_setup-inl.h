@@ -1,0 +1,127 @@
+// Rays made ready for kernels.
+#if defined(RAYSWEEP_WIDE_RAY_SETUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYSWEEP_WIDE_RAY_SETUP_INL_H_
+#undef RAYSWEEP_WIDE_RAY_SETUP_INL_H_
+#else
+#define RAYSWEEP_WIDE_RAY_SETUP_INL_H_
+#endif
+
+#include "tracer/wide/kernels.h"
+#include "tracer/wide/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raysweep {
+namespace HWY_NAMESPACE {
+
+/// What a wide node's planes are compared with, for one ray: t = plane·reciprocal + offset.
+///
+/// One multiply-add a plane instead of `slab`'s two operations, and still no box is lost that `slab` keeps.
+/// With u = 2⁻²⁴ and v = (plane − origin)·reciprocal, `slab` finds v(1 ± 2u). Here −origin·reciprocal is c(1
+/// ± u), moving it costs another u|c|, and where nothing is fused the product adds u(|v| + |c|): 3u|c|
+/// together. It is moved by 4u|c|, down for near planes and up for far ones; what is left is v(1 ± 2u) on the
+/// safe side. Limits and far distances are widened by 1 + 32u, more than all relative errors together,
+/// `slab`'s own widening included. `smallest` outweighs underflow. Needed: no overflow, hence the bounds of
+/// regular rays.
+struct alignas(64) Slot {
+  float reciprocal[4], near_offset[4], far_offset[4];
+  uint32_t near_plane[4];  // bytes into a node; [3]: of the octant's order
+  float origin[4], direction[4];
+  float limit;  // `t`, widened
+  uint32_t top;
+  WideChild current;
+  uint32_t ray;
+  float t;  // the nearest hit so far
+  uint32_t id;
+  uint32_t candidates, block;  // lanes of `block` that may be nearer, at `distances`
+  float distances[8];
+  uint32_t bottom;  // of its stack
+};
+
+inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
+inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
+
+/// Rays looked at before the next ones begin: so many that the loop's end is rare.
+inline constexpr size_t chosen_at_once = 256;
+
+/// Chooses rays of a batch that may meet something.
+class Chooser {
+ public:
+  HWY_INLINE Chooser(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds,
+                     std::vector<uint32_t>& left_over)
+      : rays_(rays), hits_(hits), bounds_(bounds), left_over_(left_over) {}
+
+  /// `memory` has room for `chosen_at_once + lane_count` numbers.
+  HWY_INLINE void work_in(uint32_t* memory) { pending_ = memory; }
+
+  /// Whether a ray is left that may meet something. Those that miss the box around everything are done: most
+  /// rays of an open scene, and so many at a time cost little.
+  HWY_INLINE bool has_next() {
+    while (next_pending_ == pending_count_ && next_chosen_ < rays_.size) {
+      next_pending_ = pending_count_ = 0;
+      const size_t end = std::min(next_chosen_ + chosen_at_once, rays_.size);
+      for (; next_chosen_ < end; next_chosen_ += lane_count) choose(next_chosen_);
+    }
+    return next_pending_ < pending_count_;
+  }
+
+  /// The next of them.
+  HWY_INLINE size_t next() { return pending_[next_pending_++]; }
+
+ private:
+  /// Of the rays in lanes from `first` on, lists those that meet the box around everything. As in Slot,
+  /// offsets are moved to the safe side, here by 8u|c|: product and sum are rounded apart.
+  HWY_INLINE void choose(size_t first) {
+    const Floats d;
+    const Words dw;
+    const Lanes3 origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
+    const Lanes3 direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
+    FloatLanes enter = hn::Zero(d), leave = hn::Load(d, hits_.t.data() + first);
+    LaneMask is_regular = hn::Eq(enter, enter);
+    const auto cut = [&](const FloatLanes& from, const FloatLanes& along, float lower, float upper) HWY_ATTR {
+      const FloatLanes size = hn::Abs(along), high = hn::Set(Floats(), regular_high);
+      is_regular =
+          hn::And(is_regular, hn::And(hn::Ge(size, hn::Set(Floats(), regular_low)), hn::Le(size, high)));
+      is_regular = hn::And(is_regular, hn::Le(hn::Abs(from), high));
+      const FloatLanes reciprocal = hn::Div(hn::Set(Floats(), 1.0f), along);
+      const FloatLanes c = hn::Neg(hn::Mul(from, reciprocal));
+      const FloatLanes error =
+          hn::MulAdd(hn::Abs(c), hn::Set(Floats(), offset_error), hn::Set(Floats(), smallest));
+      const FloatLanes a = hn::Mul(hn::Set(Floats(), lower), reciprocal),
+                       b = hn::Mul(hn::Set(Floats(), upper), reciprocal);
+      const FloatLanes slack = hn::Add(error, error);
+      enter = hn::Max(enter, hn::Sub(hn::Add(hn::Min(a, b), c), slack));
+      leave = hn::Min(leave, hn::Add(hn::Add(hn::Max(a, b), c), slack));
+    };
+    cut(origin.x, direction.x, bounds_.lower().x, bounds_.upper().x);
+    cut(origin.y, direction.y, bounds_.lower().y, bounds_.upper().y);
+    cut(origin.z, direction.z, bounds_.lower().z, bounds_.upper().z);
+    const LaneMask is_there =
+        hn::RebindMask(d, hn::Lt(hn::Iota(dw, 0), hn::Set(dw, static_cast<uint32_t>(rays_.size - first))));
+    const LaneMask meets = hn::Le(enter, hn::Mul(leave, hn::Set(d, widening)));
+    const Compaction chosen(hn::And(hn::And(meets, is_regular), is_there));
+    hn::StoreU(chosen(hn::Iota(dw, static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
+    pending_count_ += chosen.count();
+    for (uint32_t left = bits_of(hn::AndNot(is_regular, is_there)); left != 0; left &= left - 1)
+      left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));
+  }
+
+  HWY_INLINE static Lanes3 load_at(const LaneArray<float>& x, const LaneArray<float>& y,
+                                   const LaneArray<float>& z, size_t first) {
+    const Floats d;
+    return {hn::Load(d, x.data() + first), hn::Load(d, y.data() + first), hn::Load(d, z.data() + first)};
+  }
+
+  const RayBatch& rays_;
+  const HitBatch& hits_;
+  const Box<float>& bounds_;
+  std::vector<uint32_t>& left_over_;
+  uint32_t* pending_ = nullptr;  // rays to be begun
+  size_t next_chosen_ = 0;  // the first ray not looked at
+  uint32_t next_pending_ = 0, pending_count_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raysweep
+HWY_AFTER_NAMESPACE();
+
+#endif
