@@ -116,7 +116,7 @@ class Chooser {
   const Box<float>& bounds_;
   std::vector<uint32_t>& left_over_;
   uint32_t* pending_ = nullptr;  // rays to be begun
-  size_t next_chosen_ = 0;  // the first ray not looked at
+  size_t next_chosen_ = 0;       // the first ray not looked at
   uint32_t next_pending_ = 0, pending_count_ = 0;
 };
 
