@@ -71,8 +71,8 @@ Table rays_table(const PeersResult& result, const PeersRequest& request, const E
       "{} rounds in random order, medians; ratio: ours / Embree's by round [95 % interval]\n"
       "single: a ray at a time, Embree's medium quality; best: the fastest of all modes; hits that differ: "
       "between the two, ours from the oracle, Embree's from the oracle (in the same place)",
-      embree.version, embree.has_assertions ? " (as packaged: with assertions, which cost it time)" : "",
-      request.width, request.height, request.duel.rounds);
+      embree.version, embree.has_assertions ? " (as packaged: with assertions)" : "", request.width,
+      request.height, request.duel.rounds);
   table.columns = {{"scene", false}, {"kind", false}, {"rays"},          {"class", false},
                    {"ours", false},  {"Mrays/s"},     {"Embree", false}, {"Mrays/s"},
                    {"ratio"},        {"hits differ"}, {"ours off"},      {"Embree off"}};
