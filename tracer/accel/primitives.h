@@ -32,6 +32,9 @@ class Primitives {
   /// Whether a ray can meet this primitive in two places.
   [[nodiscard]] bool is_met_twice(uint32_t id) const { return id >= first_sphere() && id < first_triangle(); }
   [[nodiscard]] const Prepared& triangle(uint32_t id) const { return prepared_[id - first_triangle()]; }
+  [[nodiscard]] const TriangleShape<T>& triangle_shape(uint32_t id) const {
+    return triangles_[id - first_triangle()];
+  }
 
   /// The first distance to plane `id` that comes after `after`.
   [[nodiscard]] std::optional<T> intersect_plane(uint32_t id, const Ray<T>& ray, const Hit<T>& after) const {
@@ -104,12 +107,14 @@ class Primitives {
   std::vector<uint32_t> materials_;  // of each primitive
 };
 
-/// `box` grown by a few units in the last place of its coordinates: computed hits stray that far from the
-/// surface.
+/// By how much of their largest coordinate boxes are grown: computed hits stray a few units in the last place
+/// from the surface.
+template <class T>
+inline constexpr T box_padding = 4 * std::numeric_limits<T>::epsilon();
+
 template <class T>
 [[nodiscard]] Box<T> padded(const Box<T>& box) {
-  constexpr T ulps = 4 * std::numeric_limits<T>::epsilon();
-  const T by = ulps * std::max(max_abs(box.lower()), max_abs(box.upper()));
+  const T by = box_padding<T> * std::max(max_abs(box.lower()), max_abs(box.upper()));
   const Vec3<T> pad(by, by, by);
   Box<T> grown;
   grown.bounds[0] = box.lower() - pad;

@@ -45,6 +45,13 @@ struct Interval {
   [[nodiscard]] bool empty() const { return !(enter <= leave); }
 };
 
+/// What rounding may take from the far end of an interval, as a factor.
+template <class T>
+inline constexpr T slab_widening = [] {
+  constexpr T u = std::numeric_limits<T>::epsilon() / 2;
+  return 1 + 2 * (3 * u / (1 - 3 * u));
+}();
+
 /// The interval inside `box` of the ray from `t_min` on.
 ///
 /// Rounding never loses a box that the exact ray meets: `leave` is widened by 1 + 2γ(3), γ(n) = nu/(1 − nu),
@@ -57,8 +64,6 @@ struct Interval {
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Interval<T> slab(const Box<T>& box, const SlabRay<T>& ray,
                                                           T t_min = 0) {
-  constexpr T u = std::numeric_limits<T>::epsilon() / 2;
-  constexpr T widen = 1 + 2 * (3 * u / (1 - 3 * u));
   const T near_x = (box.bounds[ray.negative_x].x - ray.origin.x) * ray.reciprocal.x;
   const T near_y = (box.bounds[ray.negative_y].y - ray.origin.y) * ray.reciprocal.y;
   const T near_z = (box.bounds[ray.negative_z].z - ray.origin.z) * ray.reciprocal.z;
@@ -73,7 +78,7 @@ template <class T>
   leave = far_x < leave ? far_x : leave;
   leave = far_y < leave ? far_y : leave;
   leave = far_z < leave ? far_z : leave;
-  return {enter, leave * widen};
+  return {enter, leave * slab_widening<T>};
 }
 
 }  // namespace raysweep

@@ -12,7 +12,7 @@
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/intersect/morozov.h"
 #include "tracer/wide/compactions.h"
-#include "tracer/wide/wide_tree.h"
+#include "tracer/wide/geometry.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -29,65 +29,133 @@ using WordLanes = hn::Vec<Words>;
 using LaneMask = hn::Mask<Floats>;
 
 /// Vec3 with the same operations in the same order, so that lanes round as scalars do: no fused operations.
+/// `D` says how many lanes: of triangles that meet one ray, or of rays that meet one triangle.
+template <class D>
 struct Lanes3 {
-  FloatLanes x, y, z;
+  hn::Vec<D> x, y, z;
 };
 
-HWY_INLINE Lanes3 broadcast(float x, float y, float z) {
-  const Floats d;
+template <class D>
+HWY_INLINE Lanes3<D> broadcast(D d, float x, float y, float z) {
   return {hn::Set(d, x), hn::Set(d, y), hn::Set(d, z)};
 }
-HWY_INLINE Lanes3 load_rows(const float (*rows)[lane_count]) {
-  const Floats d;
-  return {hn::Load(d, rows[0]), hn::Load(d, rows[1]), hn::Load(d, rows[2])};
+/// `stride` numbers lie between one row's lanes and the next one's.
+template <class D>
+HWY_INLINE Lanes3<D> load_rows(D d, const float* rows, size_t stride) {
+  return {hn::Load(d, rows), hn::Load(d, rows + stride), hn::Load(d, rows + 2 * stride)};
 }
-HWY_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) {
+template <class D>
+HWY_INLINE Lanes3<D> minus(const Lanes3<D>& a, const Lanes3<D>& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
-HWY_INLINE FloatLanes dot(const Lanes3& a, const Lanes3& b) {
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const Lanes3<D>& a, const Lanes3<D>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
-HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
+template <class D>
+HWY_INLINE Lanes3<D> cross(const Lanes3<D>& a, const Lanes3<D>& b) {
   return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// TriangleHit of each lane, before any test.
-struct LaneHits {
-  FloatLanes t, beta, gamma;
+/// Corners of triangles.
+template <class D>
+struct Corners {
+  Lanes3<D> a, b, c;
 };
 
-/// The formula of MollerTrumbore::intersect without its early ends.
-HWY_INLINE LaneHits solve(MollerTrumbore, const Lanes3& origin, const Lanes3& direction,
-                          const float (*rows)[lane_count]) {
-  const Lanes3 a = load_rows(rows), ab = load_rows(rows + 3), ac = load_rows(rows + 6);
-  const Lanes3 p = cross(direction, ac);
-  const FloatLanes inverse = hn::Div(hn::Set(Floats(), 1.0f), dot(ab, p));
-  const Lanes3 ao = minus(origin, a);
-  const Lanes3 q = cross(ao, ab);
-  return {hn::Mul(dot(ac, q), inverse), hn::Mul(dot(ao, p), inverse), hn::Mul(dot(direction, q), inverse)};
+/// TriangleHit of each lane, before any test.
+template <class D>
+struct LaneHits {
+  hn::Vec<D> t, beta, gamma;
+};
+
+/// MollerTrumbore::prepare and, without its early ends, MollerTrumbore::intersect.
+template <class D>
+HWY_INLINE LaneHits<D> solve(MollerTrumbore, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                             const Corners<D>& triangle) {
+  const Lanes3<D> ab = minus<D>(triangle.b, triangle.a), ac = minus<D>(triangle.c, triangle.a);
+  const Lanes3<D> p = cross<D>(direction, ac);
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(ab, p));
+  const Lanes3<D> ao = minus<D>(origin, triangle.a);
+  const Lanes3<D> q = cross<D>(ao, ab);
+  return {hn::Mul(dot<D>(ac, q), inverse), hn::Mul(dot<D>(ao, p), inverse),
+          hn::Mul(dot<D>(direction, q), inverse)};
 }
 
-/// The formula of Morozov::intersect without its early ends.
-HWY_INLINE LaneHits solve(Morozov, const Lanes3& origin, const Lanes3& direction,
-                          const float (*rows)[lane_count]) {
-  const Lanes3 v0 = load_rows(rows), e1 = load_rows(rows + 3), e2 = load_rows(rows + 6),
-               n = load_rows(rows + 9);
-  const FloatLanes inverse = hn::Div(hn::Set(Floats(), 1.0f), dot(direction, n));
-  const Lanes3 to_plane = minus(v0, origin);
-  const Lanes3 s = cross(to_plane, direction);
-  return {hn::Mul(dot(to_plane, n), inverse), hn::Mul(dot(s, e2), inverse), hn::Mul(dot(s, e1), inverse)};
+/// Morozov::prepare and, without its early ends, Morozov::intersect.
+template <class D>
+HWY_INLINE LaneHits<D> solve(Morozov, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                             const Corners<D>& triangle) {
+  const Lanes3<D> e1 = minus<D>(triangle.a, triangle.b), e2 = minus<D>(triangle.c, triangle.a);
+  const Lanes3<D> n = cross<D>(e2, e1);
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(direction, n));
+  const Lanes3<D> to_plane = minus<D>(triangle.a, origin);
+  const Lanes3<D> s = cross<D>(to_plane, direction);
+  return {hn::Mul(dot<D>(to_plane, n), inverse), hn::Mul(dot<D>(s, e2), inverse),
+          hn::Mul(dot<D>(s, e1), inverse)};
 }
 
 /// Lanes with 0 < t < ∞, β ≥ 0, γ ≥ 0, β + γ ≤ 1; NaN anywhere is a miss.
-HWY_INLINE LaneMask is_hit(const LaneHits& hits) {
-  const Floats d;
-  const FloatLanes zero = hn::Zero(d);
-  const LaneMask inside = hn::And(hn::And(hn::Ge(hits.beta, zero), hn::Ge(hits.gamma, zero)),
-                                  hn::Le(hn::Add(hits.beta, hits.gamma), hn::Set(d, 1.0f)));
-  const LaneMask ahead =
+template <class D>
+HWY_INLINE hn::Mask<D> is_hit(D d, const LaneHits<D>& hits) {
+  const auto zero = hn::Zero(d);
+  const auto inside = hn::And(hn::And(hn::Ge(hits.beta, zero), hn::Ge(hits.gamma, zero)),
+                              hn::Le(hn::Add(hits.beta, hits.gamma), hn::Set(d, 1.0f)));
+  const auto ahead =
       hn::And(hn::Gt(hits.t, zero), hn::Lt(hits.t, hn::Set(d, std::numeric_limits<float>::infinity())));
   return hn::And(inside, ahead);
+}
+
+/// Boxes around triangles as `Primitives` keeps them: `padded`.
+template <class D>
+struct LaneBoxes {
+  Lanes3<D> lower, upper;
+};
+
+template <class D>
+HWY_INLINE LaneBoxes<D> boxes_of(D d, const Corners<D>& t) {
+  const auto least = [](auto a, auto b, auto c) HWY_ATTR { return hn::Min(hn::Min(a, b), c); };
+  const auto most = [](auto a, auto b, auto c) HWY_ATTR { return hn::Max(hn::Max(a, b), c); };
+  const Lanes3<D> lower{least(t.a.x, t.b.x, t.c.x), least(t.a.y, t.b.y, t.c.y), least(t.a.z, t.b.z, t.c.z)},
+      upper{most(t.a.x, t.b.x, t.c.x), most(t.a.y, t.b.y, t.c.y), most(t.a.z, t.b.z, t.c.z)};
+  const auto size = hn::Max(most(hn::Abs(lower.x), hn::Abs(lower.y), hn::Abs(lower.z)),
+                            most(hn::Abs(upper.x), hn::Abs(upper.y), hn::Abs(upper.z)));
+  const auto by = hn::Mul(size, hn::Set(d, box_padding<float>));
+  return {{hn::Sub(lower.x, by), hn::Sub(lower.y, by), hn::Sub(lower.z, by)},
+          {hn::Add(upper.x, by), hn::Add(upper.y, by), hn::Add(upper.z, by)}};
+}
+
+/// Distances at which lanes count as hit, and which do.
+template <class D>
+struct AcceptedHits {
+  hn::Vec<D> t;
+  hn::Mask<D> accepted;
+};
+
+/// Primitives::accept_triangle of regular rays and of hits with t > 0.
+template <class D>
+HWY_INLINE AcceptedHits<D> accept(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                                  const Lanes3<D>& reciprocal, const LaneBoxes<D>& boxes,
+                                  const Lanes3<D>& corner, const Lanes3<D>& normal, hn::Vec<D> t) {
+  const auto zero = hn::Zero(d);
+  const auto side = dot<D>(normal, minus<D>(origin, corner)), towards = dot<D>(normal, direction);
+  const auto is_ahead = hn::Or(hn::And(hn::Gt(side, zero), hn::Lt(towards, zero)),
+                               hn::And(hn::Lt(side, zero), hn::Gt(towards, zero)));
+  // `slab` picks near and far planes by signs; of finite products they are the smaller and the larger one.
+  const auto near_x = hn::Mul(hn::Sub(boxes.lower.x, origin.x), reciprocal.x),
+             near_y = hn::Mul(hn::Sub(boxes.lower.y, origin.y), reciprocal.y),
+             near_z = hn::Mul(hn::Sub(boxes.lower.z, origin.z), reciprocal.z),
+             far_x = hn::Mul(hn::Sub(boxes.upper.x, origin.x), reciprocal.x),
+             far_y = hn::Mul(hn::Sub(boxes.upper.y, origin.y), reciprocal.y),
+             far_z = hn::Mul(hn::Sub(boxes.upper.z, origin.z), reciprocal.z);
+  const auto enter =
+      hn::Max(hn::Max(hn::Min(near_x, far_x), hn::Min(near_y, far_y)), hn::Max(hn::Min(near_z, far_z), zero));
+  const auto leave =
+      hn::Mul(hn::Min(hn::Max(near_x, far_x), hn::Min(hn::Max(near_y, far_y), hn::Max(near_z, far_z))),
+              hn::Set(d, slab_widening<float>));
+  const auto held = hn::Min(hn::Max(t, enter), leave);
+  return {held, hn::And(is_ahead, hn::And(hn::Le(enter, leave), hn::Gt(held, zero)))};
 }
 
 /// One bit a lane.

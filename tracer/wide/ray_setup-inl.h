@@ -32,9 +32,9 @@ struct alignas(64) Slot {
   uint32_t ray;
   float t;  // the nearest hit so far
   uint32_t id;
-  uint32_t candidates, block;  // lanes of `block` that may be nearer, at `distances`
-  float distances[8];
-  uint32_t bottom;  // of its stack
+  uint32_t block;                  // where triangles are hit, if they are accepted,
+  alignas(32) float distances[8];  // at these distances; infinity: not hit
+  uint32_t bottom;                 // of its stack
 };
 
 inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
@@ -73,8 +73,8 @@ class Chooser {
   HWY_INLINE void choose(size_t first) {
     const Floats d;
     const Words dw;
-    const Lanes3 origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
-    const Lanes3 direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
+    const Lanes3<Floats> origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
+    const Lanes3<Floats> direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
     FloatLanes enter = hn::Zero(d), leave = hn::Load(d, hits_.t.data() + first);
     LaneMask is_regular = hn::Eq(enter, enter);
     const auto cut = [&](const FloatLanes& from, const FloatLanes& along, float lower, float upper) HWY_ATTR {
@@ -105,8 +105,8 @@ class Chooser {
       left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));
   }
 
-  HWY_INLINE static Lanes3 load_at(const LaneArray<float>& x, const LaneArray<float>& y,
-                                   const LaneArray<float>& z, size_t first) {
+  HWY_INLINE static Lanes3<Floats> load_at(const LaneArray<float>& x, const LaneArray<float>& y,
+                                           const LaneArray<float>& z, size_t first) {
     const Floats d;
     return {hn::Load(d, x.data() + first), hn::Load(d, y.data() + first), hn::Load(d, z.data() + first)};
   }

@@ -192,14 +192,15 @@ class Stream {
       Slot& slot = slot_at(offset);
       const uint32_t index = child_index(slot.current);
       const Block& block = blocks_[index];
-      const LaneHits found =
-          solve(Method{}, broadcast(slot.origin[0], slot.origin[1], slot.origin[2]),
-                broadcast(slot.direction[0], slot.direction[1], slot.direction[2]), block.data);
+      const LaneHits<Floats> found =
+          solve(Method{}, d, broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
+                broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]), corners_of(block));
       // Every lane of a block of spheres is a candidate.
       const uint32_t spheres = 0u - ((slot.current >> 30) & 1);
-      const uint32_t candidates = bits_of(is_hit(found)) | (spheres & ((1u << lane_count) - 1));
-      hn::Store(found.t, d, slot.distances);
-      slot.candidates = candidates;
+      const LaneMask hits = is_hit(d, found);
+      const uint32_t candidates = bits_of(hits) | (spheres & ((1u << block.count) - 1));
+      hn::Store(hn::IfThenElse(hits, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
+                slot.distances);
       slot.block = index;
       // The leaf's next block, else what the stack holds.
       const uint32_t more = block.more, top = slot.top - (1 - more);
@@ -213,31 +214,55 @@ class Stream {
     }
   }
 
+  HWY_INLINE static Corners<Floats> corners_of(const Block& block) {
+    const auto corner = [&](size_t row)
+                            HWY_ATTR { return load_rows(Floats(), block.corners[row], lane_count); };
+    return {corner(0), corner(3), corner(6)};
+  }
+
   HWY_INLINE void look_at_candidates(uint32_t offset) {
     Slot& slot = slot_at(offset);
     const Block& block = blocks_[slot.block];
+    const Hit<float> hit = block.id[0] < primitives_.first_triangle() ? nearest_sphere(slot, block)
+                                                                      : nearest_triangle(slot, block);
+    if (any ? hit.t < slot.t : hit.before({slot.t, slot.id})) {
+      slot.t = hit.t;
+      slot.id = hit.id;
+      shorten(slot);
+    }
+    enlist(offset, slot.current, 0);
+  }
+
+  /// The first hit of the block's candidates.
+  HWY_INLINE Hit<float> nearest_triangle(const Slot& slot, const Block& block) const {
+    const Floats d;
+    const Words dw;
+    const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity());
+    const auto spread = [](const float* v) HWY_ATTR { return broadcast(Floats(), v[0], v[1], v[2]); };
+    const Corners<Floats> corners = corners_of(block);
+    const FloatLanes t = hn::Load(d, slot.distances);
+    const AcceptedHits<Floats> hits =
+        accept(d, spread(slot.origin), spread(slot.direction), spread(slot.reciprocal), boxes_of(d, corners),
+               corners.a, load_rows(d, block.normal[0], lane_count), t);
+    const LaneMask accepted = hn::And(hits.accepted, hn::Lt(t, infinity));
+    const FloatLanes held = hn::IfThenElse(accepted, hits.t, infinity);
+    const FloatLanes least = hn::MinOfLanes(d, held);
+    const LaneMask is_first = hn::And(accepted, hn::Eq(held, least));
+    const WordLanes ids =
+        hn::IfThenElse(hn::RebindMask(dw, is_first), hn::Load(dw, block.id), hn::Set(dw, no_hit_id));
+    return {hn::GetLane(least), hn::GetLane(hn::MinOfLanes(dw, ids))};
+  }
+
+  HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
     const Ray<float> ray{{slot.origin[0], slot.origin[1], slot.origin[2]},
                          {slot.direction[0], slot.direction[1], slot.direction[2]}};
     const SlabRay<float> slab_ray(ray, {slot.reciprocal[0], slot.reciprocal[1], slot.reciprocal[2]});
-    bool is_nearer = false;
-    for (uint32_t left = slot.candidates; left != 0; left &= left - 1) {
-      const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-      const uint32_t id = block.id[lane];
-      if (id == no_hit_id) continue;
-      const auto t =
-          id < primitives_.first_triangle()
-              ? primitives_.intersect_sphere(id, ray, slab_ray, Hit<float>::start())
-              : primitives_.accept_triangle(id, slot.distances[lane], ray, slab_ray, Hit<float>::start());
-      if (!t) continue;
-      if (any ? *t < slot.t : Hit<float>{*t, id}.before({slot.t, slot.id})) {
-        slot.t = *t;
-        slot.id = id;
-        is_nearer = true;
-        if constexpr (any) break;
-      }
+    Hit<float> nearest = Hit<float>::none();
+    for (uint32_t lane = 0; lane < block.count; ++lane) {
+      const auto t = primitives_.intersect_sphere(block.id[lane], ray, slab_ray, Hit<float>::start());
+      if (t && Hit<float>{*t, block.id[lane]}.before(nearest)) nearest = {*t, block.id[lane]};
     }
-    if (is_nearer) shorten(slot);
-    enlist(offset, slot.current, 0);
+    return nearest;
   }
 
   /// Forgets what begins behind the new nearest hit; of rays that any hit ends, everything.

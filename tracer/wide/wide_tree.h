@@ -29,13 +29,15 @@ struct alignas(64) WideNode {
   uint32_t far_to_near[8];
 };
 
-/// Up to `width` primitives of one leaf. Triangles: the floats of their prepared data, row by row. A lane
-/// without a primitive has id `no_hit_id` and zeros, which no method hits.
-template <int width, int rows>
+/// Up to `width` primitives of one leaf, in the first `count` lanes; the others hold zeros and `no_hit_id`.
+/// Of triangles all that decides on hits: nothing else is fetched until one is shaded.
+template <int width>
 struct alignas(64) WideBlock {
-  float data[rows][width];
+  float corners[9][width];  // x, y, z of A, of B, of C
   uint32_t id[width];
-  uint32_t more;  // 1 if the leaf goes on in the next block
+  uint32_t count;
+  uint32_t more;                                          // 1 if the leaf goes on in the next block
+  alignas(sizeof(float) * width) float normal[3][width];  // TriangleShape's
 };
 
 /// `blocks[0]` of a tree is the sentinel: no primitives.
