@@ -32,6 +32,10 @@ class Primitives {
   /// Whether a ray can meet this primitive in two places.
   [[nodiscard]] bool is_met_twice(uint32_t id) const { return id >= first_sphere() && id < first_triangle(); }
   [[nodiscard]] const Prepared& triangle(uint32_t id) const { return prepared_[id - first_triangle()]; }
+  [[nodiscard]] const Box<T>& box(uint32_t id) const { return boxes_[id - first_sphere()]; }
+  [[nodiscard]] const SphereShape<T>& sphere_shape(uint32_t id) const {
+    return spheres_[id - first_sphere()];
+  }
   [[nodiscard]] const TriangleShape<T>& triangle_shape(uint32_t id) const {
     return triangles_[id - first_triangle()];
   }

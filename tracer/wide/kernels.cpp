@@ -12,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "tracer/wide/kernels.cpp"
 #include <hwy/foreach_target.h>
 
+#include "tracer/wide/packets-inl.h"
 #include "tracer/wide/stream-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,15 +20,27 @@ namespace raysweep {
 namespace HWY_NAMESPACE {
 
 template <class Method, bool any>
-HWY_ATTR void run_stream(const WideGeometry<Method, lane_count>& geometry, const RayBatch& rays,
+HWY_ATTR void run_single(const WideGeometry<Method, lane_count>& geometry, const RayBatch& rays,
                          HitBatch& hits, KernelScratch& scratch) {
   scratch.left_over.clear();
+  scratch.groups.clear();
+  for (size_t i = 0; i < rays.size; i += packet_size) scratch.groups.push_back(static_cast<uint32_t>(i));
+  Stream<Method, any>(geometry, rays, hits, scratch).run();
+}
+
+template <class Method, bool any>
+HWY_ATTR void run_packets(const WideGeometry<Method, lane_count>& geometry, const RayBatch& rays,
+                          HitBatch& hits, KernelScratch& scratch) {
+  scratch.left_over.clear();
+  scratch.groups.clear();
+  Packets<Method, any>(geometry, rays, hits, scratch).run();
   Stream<Method, any>(geometry, rays, hits, scratch).run();
 }
 
 template <class Method>
 BatchKernels<Method, lane_count> kernels() {
-  return {&run_stream<Method, false>, &run_stream<Method, true>};
+  return {{&run_single<Method, false>, &run_single<Method, true>},
+          {&run_packets<Method, false>, &run_packets<Method, true>}};
 }
 
 }  // namespace HWY_NAMESPACE

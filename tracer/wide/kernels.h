@@ -27,6 +27,8 @@ class KernelScratch {
 
   /// Rays of the last batch that the kernel left to exact traversal.
   std::vector<uint32_t> left_over;
+  /// First rays of the groups of `packet_size` that were traced one ray at a time.
+  std::vector<uint32_t> groups;
 
  private:
   struct Delete {
@@ -46,8 +48,15 @@ using BatchKernel = void (*)(const WideGeometry<Method, width>& geometry, const 
 
 template <class Method, int width>
 struct BatchKernels {
-  BatchKernel<Method, width> closest = nullptr, any = nullptr;
+  struct Pair {
+    BatchKernel<Method, width> closest = nullptr, any = nullptr;
+  };
+  Pair single;   // every ray goes its own way
+  Pair packets;  // neighbours go together as long as they go the same way
 };
+
+/// Rays that go together, if they do: neighbours in a batch, from multiples of this on.
+inline constexpr size_t packet_size = 16;
 
 /// Null where this program or this machine has no such instruction set, or its vectors are of another width.
 template <class Method, int width>

@@ -133,7 +133,28 @@ struct AcceptedHits {
   hn::Mask<D> accepted;
 };
 
-/// Primitives::accept_triangle of regular rays and of hits with t > 0.
+/// Primitives::accept, for regular rays: where hits at `t` are held inside the shapes' boxes.
+template <class D>
+HWY_INLINE AcceptedHits<D> hold(D d, const Lanes3<D>& origin, const Lanes3<D>& reciprocal,
+                                const LaneBoxes<D>& boxes, hn::Vec<D> t) {
+  const auto zero = hn::Zero(d);
+  const auto lower_x = hn::Mul(hn::Sub(boxes.lower.x, origin.x), reciprocal.x),
+             lower_y = hn::Mul(hn::Sub(boxes.lower.y, origin.y), reciprocal.y),
+             lower_z = hn::Mul(hn::Sub(boxes.lower.z, origin.z), reciprocal.z),
+             upper_x = hn::Mul(hn::Sub(boxes.upper.x, origin.x), reciprocal.x),
+             upper_y = hn::Mul(hn::Sub(boxes.upper.y, origin.y), reciprocal.y),
+             upper_z = hn::Mul(hn::Sub(boxes.upper.z, origin.z), reciprocal.z);
+  // `slab` picks near and far planes by signs; of finite products they are the smaller and the larger one.
+  const auto enter = hn::Max(hn::Max(hn::Min(lower_x, upper_x), hn::Min(lower_y, upper_y)),
+                             hn::Max(hn::Min(lower_z, upper_z), zero));
+  const auto leave = hn::Mul(
+      hn::Min(hn::Max(lower_x, upper_x), hn::Min(hn::Max(lower_y, upper_y), hn::Max(lower_z, upper_z))),
+      hn::Set(d, slab_widening<float>));
+  const auto held = hn::Min(hn::Max(t, enter), leave);
+  return {held, hn::And(hn::And(hn::Gt(t, zero), hn::Le(enter, leave)), hn::Gt(held, zero))};
+}
+
+/// Primitives::accept_triangle, for regular rays.
 template <class D>
 HWY_INLINE AcceptedHits<D> accept(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
                                   const Lanes3<D>& reciprocal, const LaneBoxes<D>& boxes,
@@ -142,20 +163,33 @@ HWY_INLINE AcceptedHits<D> accept(D d, const Lanes3<D>& origin, const Lanes3<D>&
   const auto side = dot<D>(normal, minus<D>(origin, corner)), towards = dot<D>(normal, direction);
   const auto is_ahead = hn::Or(hn::And(hn::Gt(side, zero), hn::Lt(towards, zero)),
                                hn::And(hn::Lt(side, zero), hn::Gt(towards, zero)));
-  // `slab` picks near and far planes by signs; of finite products they are the smaller and the larger one.
-  const auto near_x = hn::Mul(hn::Sub(boxes.lower.x, origin.x), reciprocal.x),
-             near_y = hn::Mul(hn::Sub(boxes.lower.y, origin.y), reciprocal.y),
-             near_z = hn::Mul(hn::Sub(boxes.lower.z, origin.z), reciprocal.z),
-             far_x = hn::Mul(hn::Sub(boxes.upper.x, origin.x), reciprocal.x),
-             far_y = hn::Mul(hn::Sub(boxes.upper.y, origin.y), reciprocal.y),
-             far_z = hn::Mul(hn::Sub(boxes.upper.z, origin.z), reciprocal.z);
-  const auto enter =
-      hn::Max(hn::Max(hn::Min(near_x, far_x), hn::Min(near_y, far_y)), hn::Max(hn::Min(near_z, far_z), zero));
-  const auto leave =
-      hn::Mul(hn::Min(hn::Max(near_x, far_x), hn::Min(hn::Max(near_y, far_y), hn::Max(near_z, far_z))),
-              hn::Set(d, slab_widening<float>));
-  const auto held = hn::Min(hn::Max(t, enter), leave);
-  return {held, hn::And(is_ahead, hn::And(hn::Le(enter, leave), hn::Gt(held, zero)))};
+  const AcceptedHits<D> held = hold(d, origin, reciprocal, boxes, t);
+  return {held.t, hn::And(is_ahead, held.accepted)};
+}
+
+/// SphereHit of each lane, and which meet the sphere at all.
+template <class D>
+struct LaneSphereHits {
+  hn::Vec<D> enter, leave;
+  hn::Mask<D> is_met;
+};
+
+/// The formula of intersect_sphere.
+template <class D>
+HWY_INLINE LaneSphereHits<D> solve_sphere(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                                          const Lanes3<D>& centre, hn::Vec<D> radius) {
+  const auto zero = hn::Zero(d);
+  const Lanes3<D> f = minus<D>(origin, centre);
+  const auto a = dot<D>(direction, direction), b = hn::Neg(dot<D>(f, direction)),
+             square = hn::Mul(radius, radius), c = hn::Sub(dot<D>(f, f), square), along = hn::Div(b, a);
+  const Lanes3<D> from_centre{hn::Add(f.x, hn::Mul(along, direction.x)),
+                              hn::Add(f.y, hn::Mul(along, direction.y)),
+                              hn::Add(f.z, hn::Mul(along, direction.z))};
+  auto discriminant = hn::Sub(square, dot<D>(from_centre, from_centre));
+  discriminant = hn::IfThenElse(hn::Lt(c, zero), hn::Max(discriminant, zero), discriminant);
+  const auto q = hn::Add(b, hn::CopySign(hn::Sqrt(hn::Mul(a, discriminant)), b));
+  const auto t0 = hn::IfThenElse(hn::Eq(q, zero), zero, hn::Div(c, q)), t1 = hn::Div(q, a);
+  return {hn::Min(t0, t1), hn::Max(t0, t1), hn::Ge(discriminant, zero)};
 }
 
 /// One bit a lane.

@@ -7,7 +7,7 @@
 #endif
 
 #include "tracer/wide/kernels.h"
-#include "tracer/wide/lanes-inl.h"
+#include "tracer/wide/stacks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -22,13 +22,11 @@ namespace HWY_NAMESPACE {
 /// safe side. Limits and far distances are widened by 1 + 32u, more than all relative errors together,
 /// `slab`'s own widening included. `smallest` outweighs underflow. Needed: no overflow, hence the bounds of
 /// regular rays.
-struct alignas(64) Slot {
+struct alignas(64) Slot : StackPlace {
   float reciprocal[4], near_offset[4], far_offset[4];
   uint32_t near_plane[4];  // bytes into a node; [3]: of the octant's order
   float origin[4], direction[4];
   float limit;  // `t`, widened
-  uint32_t top;
-  WideChild current;
   uint32_t ray;
   float t;  // the nearest hit so far
   uint32_t id;
@@ -43,23 +41,26 @@ inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
 /// Rays looked at before the next ones begin: so many that the loop's end is rare.
 inline constexpr size_t chosen_at_once = 256;
 
-/// Chooses rays of a batch that may meet something.
+/// Chooses rays of a batch that may meet something, from the groups of `packet_size` that `scratch` lists.
+template <bool any>
 class Chooser {
  public:
   HWY_INLINE Chooser(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds,
-                     std::vector<uint32_t>& left_over)
-      : rays_(rays), hits_(hits), bounds_(bounds), left_over_(left_over) {}
+                     KernelScratch& scratch)
+      : rays_(rays), hits_(hits), bounds_(bounds), groups_(scratch.groups), left_over_(scratch.left_over) {}
 
-  /// `memory` has room for `chosen_at_once + lane_count` numbers.
+  /// `memory` has room for `chosen_at_once + 2 · packet_size` numbers.
   HWY_INLINE void work_in(uint32_t* memory) { pending_ = memory; }
 
   /// Whether a ray is left that may meet something. Those that miss the box around everything are done: most
   /// rays of an open scene, and so many at a time cost little.
   HWY_INLINE bool has_next() {
-    while (next_pending_ == pending_count_ && next_chosen_ < rays_.size) {
+    while (next_pending_ == pending_count_ && next_group_ < groups_.size()) {
       next_pending_ = pending_count_ = 0;
-      const size_t end = std::min(next_chosen_ + chosen_at_once, rays_.size);
-      for (; next_chosen_ < end; next_chosen_ += lane_count) choose(next_chosen_);
+      while (next_group_ < groups_.size() && pending_count_ < chosen_at_once) {
+        const size_t first = groups_[next_group_++], end = std::min(first + packet_size, rays_.size);
+        for (size_t i = first; i < end; i += lane_count) choose(i);
+      }
     }
     return next_pending_ < pending_count_;
   }
@@ -95,8 +96,13 @@ class Chooser {
     cut(origin.x, direction.x, bounds_.lower().x, bounds_.upper().x);
     cut(origin.y, direction.y, bounds_.lower().y, bounds_.upper().y);
     cut(origin.z, direction.z, bounds_.lower().z, bounds_.upper().z);
-    const LaneMask is_there =
+    LaneMask is_there =
         hn::RebindMask(d, hn::Lt(hn::Iota(dw, 0), hn::Set(dw, static_cast<uint32_t>(rays_.size - first))));
+    // What something hides already is done.
+    if constexpr (any) {
+      const WordLanes id = hn::Load(dw, hits_.id.data() + first);
+      is_there = hn::And(is_there, hn::RebindMask(d, hn::Eq(id, hn::Set(dw, no_hit_id))));
+    }
     const LaneMask meets = hn::Le(enter, hn::Mul(leave, hn::Set(d, widening)));
     const Compaction chosen(hn::And(hn::And(meets, is_regular), is_there));
     hn::StoreU(chosen(hn::Iota(dw, static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
@@ -114,9 +120,10 @@ class Chooser {
   const RayBatch& rays_;
   const HitBatch& hits_;
   const Box<float>& bounds_;
+  const std::vector<uint32_t>& groups_;
   std::vector<uint32_t>& left_over_;
   uint32_t* pending_ = nullptr;  // rays to be begun
-  size_t next_chosen_ = 0;       // the first ray not looked at
+  size_t next_group_ = 0;        // the first one not looked at
   uint32_t next_pending_ = 0, pending_count_ = 0;
 };
 

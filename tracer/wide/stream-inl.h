@@ -22,8 +22,6 @@ namespace HWY_NAMESPACE {
 /// cache.
 inline constexpr uint32_t slot_count = 32;
 
-inline constexpr WideChild sentinel = leaf_bit;  // the block without primitives: the end of a ray's stack
-
 template <class Method, bool any>
 class Stream {
  public:
@@ -38,27 +36,20 @@ class Stream {
         blocks_(geometry.blocks.data()),
         rays_(rays),
         hits_(hits),
-        chooser_(rays, hits, geometry.tree.bounds, scratch.left_over) {
-    // A vector's store at the top of a stack reaches past it.
-    const size_t stack_size = padded_to_lanes(geometry.tree.stack_size() + lane_count);
-    char* memory =
-        static_cast<char*>(scratch.reserve(slot_count * (sizeof(Slot) + stack_size * 8) +
-                                           (list_count * slot_count + chosen_at_once + lane_count) * 4));
-    slots_ = memory;
-    stack_ = reinterpret_cast<WideChild*>(memory + slot_count * sizeof(Slot));
-    enters_ = reinterpret_cast<float*>(stack_ + slot_count * stack_size);
-    auto* lists = reinterpret_cast<uint32_t*>(enters_ + slot_count * stack_size);
+        chooser_(rays, hits, geometry.tree.bounds, scratch) {
+    const size_t stack_size = Stacks::size_for(geometry.tree);
+    slots_ = static_cast<char*>(
+        scratch.reserve(slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) +
+                        (list_count * slot_count + chosen_at_once + 2 * packet_size) * sizeof(uint32_t)));
+    auto* lists = reinterpret_cast<uint32_t*>(
+        stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size));
     for (uint32_t** list : {&nodes_next_, &nodes_now_, &leaves_, &candidates_, &ended_}) {
       *list = lists;
       lists += slot_count;
     }
     chooser_.work_in(lists);
-    for (uint32_t i = 0; i < slot_count; ++i) {
-      Slot& slot = *new (slots_ + i * sizeof(Slot)) Slot;
-      slot.bottom = static_cast<uint32_t>(i * stack_size);
-      stack_[slot.bottom] = sentinel;
-      enters_[slot.bottom] = -1;  // never cut off
-    }
+    for (uint32_t i = 0; i < slot_count; ++i)
+      stacks_.begin(*new (slots_ + i * sizeof(Slot)) Slot, i * stack_size);
   }
 
   HWY_INLINE void run() {
@@ -130,15 +121,13 @@ class Stream {
     slot.t = hits_.t[i];
     slot.id = hits_.id[i];
     slot.limit = slot.t * widening;
-    slot.top = slot.bottom + 1;
-    slot.current = 0;
+    Stacks::restart(slot);
   }
 
   HWY_INLINE void visit_nodes(uint32_t count) {
     const Floats d;
     const Words dw;
-    const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity()),
-                     wider = hn::Set(d, widening);
+    const FloatLanes wider = hn::Set(d, widening);
     constexpr size_t row = lane_count * sizeof(float);
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t offset = nodes_now_[i];
@@ -161,24 +150,12 @@ class Stream {
       const LaneMask met = hn::Le(enter, hn::Min(hn::Mul(leave, wider), hn::Set(d, slot.limit)));
       const WordLanes children =
           hn::Load(dw, reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
-      uint32_t top = slot.top;
       if constexpr (any) {
-        const Compaction kept(met);
-        hn::StoreU(kept(children), dw, stack_ + top);
-        top += kept.count();
+        stacks_.push(slot, children, met);
       } else {
-        const uint32_t order = *reinterpret_cast<const uint32_t*>(node + slot.near_plane[3]);
-        const WordLanes by_distance = unpack(order);
-        const FloatLanes keys = permute(hn::IfThenElse(met, enter, infinity), by_distance);
-        const Compaction kept(hn::Lt(keys, infinity));
-        hn::StoreU(kept(permute(children, by_distance)), dw, stack_ + top);
-        hn::StoreU(kept(keys), d, enters_ + top);
-        top += kept.count();
+        const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + slot.near_plane[3]);
+        stacks_.push_in_order(slot, children, enter, met, far_to_near);
       }
-      // The nearest child, else what was left for later.
-      --top;
-      slot.current = stack_[top];
-      slot.top = top;
       enlist(offset, slot.current, 0);
     }
   }
@@ -202,22 +179,12 @@ class Stream {
       hn::Store(hn::IfThenElse(hits, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
                 slot.distances);
       slot.block = index;
-      // The leaf's next block, else what the stack holds.
-      const uint32_t more = block.more, top = slot.top - (1 - more);
-      const WideChild popped = stack_[top];
-      slot.current = more != 0 ? slot.current + 1 : popped;
-      slot.top = top;
+      stacks_.leave_block(slot, block.more);
       const uint32_t is_candidate = candidates != 0 ? 1 : 0;
       candidates_[candidate_count_] = offset;
       candidate_count_ += is_candidate;
       enlist(offset, slot.current, is_candidate);
     }
-  }
-
-  HWY_INLINE static Corners<Floats> corners_of(const Block& block) {
-    const auto corner = [&](size_t row)
-                            HWY_ATTR { return load_rows(Floats(), block.corners[row], lane_count); };
-    return {corner(0), corner(3), corner(6)};
   }
 
   HWY_INLINE void look_at_candidates(uint32_t offset) {
@@ -228,7 +195,12 @@ class Stream {
     if (any ? hit.t < slot.t : hit.before({slot.t, slot.id})) {
       slot.t = hit.t;
       slot.id = hit.id;
-      shorten(slot);
+      if constexpr (any) {
+        slot.current = sentinel;
+      } else {
+        slot.limit = slot.t * widening;
+        stacks_.shorten(slot, slot.limit, block.more);
+      }
     }
     enlist(offset, slot.current, 0);
   }
@@ -265,33 +237,6 @@ class Stream {
     return nearest;
   }
 
-  /// Forgets what begins behind the new nearest hit; of rays that any hit ends, everything.
-  HWY_INLINE void shorten(Slot& slot) {
-    if constexpr (any) {
-      slot.current = sentinel;
-    } else {
-      slot.limit = slot.t * widening;
-      const Floats d;
-      const Words dw;
-      const FloatLanes limit = hn::Set(d, slot.limit);
-      // What was popped for `current` is still there; only a leaf that goes on was not.
-      const bool goes_on = blocks_[slot.block].more != 0;
-      const uint32_t end = slot.top + (goes_on ? 0 : 1);
-      uint32_t kept = slot.bottom;
-      for (uint32_t from = slot.bottom; from < end; from += lane_count) {
-        const FloatLanes enters = hn::LoadU(d, enters_ + from);
-        const WordLanes children = hn::LoadU(dw, stack_ + from);
-        const LaneMask is_entry = hn::RebindMask(d, hn::Lt(hn::Iota(dw, from), hn::Set(dw, end)));
-        const Compaction keep(hn::And(hn::Le(enters, limit), is_entry));
-        hn::StoreU(keep(enters), d, enters_ + kept);
-        hn::StoreU(keep(children), dw, stack_ + kept);
-        kept += keep.count();
-      }
-      slot.top = goes_on ? kept : kept - 1;
-      if (!goes_on) slot.current = stack_[slot.top];
-    }
-  }
-
   HWY_INLINE void end(uint32_t offset) {
     const Slot& slot = slot_at(offset);
     hits_.t[slot.ray] = slot.t;
@@ -307,11 +252,10 @@ class Stream {
   const RayBatch& rays_;
   HitBatch& hits_;
   char* slots_;
-  WideChild* stack_;
-  float* enters_;
+  Stacks stacks_;
   uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
-  Chooser chooser_;
+  Chooser<any> chooser_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -13,6 +13,12 @@
 
 namespace raysweep {
 
+/// How the rays of a batch are traced; the answers are the same.
+enum class Grouping {
+  single,   // one at a time
+  packets,  // neighbours together where they go the same way
+};
+
 template <class MethodType, int width>
 class WideCore {
  public:
@@ -24,7 +30,7 @@ class WideCore {
       : primitives_(scene),
         geometry_(primitives_, build(accel, leaf_size)),
         kernels_(kernels_for<Method, width>(isa)) {
-    if (!kernels_.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
+    if (!kernels_.single.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
     // Kernels may overflow with such boxes.
     const Box<float>& bounds = geometry_.tree.bounds;
     is_tame_ =
@@ -53,9 +59,10 @@ class WideCore {
   }
 
   /// The first hit of each ray with 0 < t ≤ t_max.
-  void closest(const RayBatch& rays, HitBatch& hits, KernelScratch& scratch) const {
+  void closest(const RayBatch& rays, HitBatch& hits, KernelScratch& scratch,
+               Grouping grouping = Grouping::packets) const {
     begin(rays, hits, [](const Hit<float>& hit, const Hit<float>& nearest) { return hit.before(nearest); });
-    run(kernels_.closest, rays, hits, scratch);
+    run(kernels(grouping).closest, rays, hits, scratch);
     for (const uint32_t i : scratch.left_over) {
       const auto hit = closest(rays.ray(i), Hit<float>::start(), rays.t_max[i]);
       hits.t[i] = hit ? hit->t : rays.t_max[i];
@@ -64,9 +71,10 @@ class WideCore {
   }
 
   /// For each ray some hit with 0 < t < t_max, if there is one.
-  void occluded(const RayBatch& rays, HitBatch& hits, KernelScratch& scratch) const {
+  void occluded(const RayBatch& rays, HitBatch& hits, KernelScratch& scratch,
+                Grouping grouping = Grouping::packets) const {
     begin(rays, hits, [](const Hit<float>& hit, const Hit<float>& nearest) { return hit.t < nearest.t; });
-    run(kernels_.any, rays, hits, scratch);
+    run(kernels(grouping).any, rays, hits, scratch);
     for (const uint32_t i : scratch.left_over) {
       hits.t[i] = rays.t_max[i];
       hits.id[i] = no_hit_id;
@@ -101,6 +109,10 @@ class WideCore {
       hits.t[i] = nearest.t;
       hits.id[i] = nearest.id;
     }
+  }
+
+  [[nodiscard]] const auto& kernels(Grouping grouping) const {
+    return grouping == Grouping::packets ? kernels_.packets : kernels_.single;
   }
 
   void run(BatchKernel<Method, width> kernel, const RayBatch& rays, HitBatch& hits,

@@ -14,17 +14,19 @@ size_t count_differences(const Wide& core, const Oracle& oracle, const std::vect
   for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
   HitBatch nearest(tests.size()), any(tests.size());
   KernelScratch scratch;
-  core.closest(rays, nearest, scratch);
-  core.occluded(rays, any, scratch);
   size_t differences = 0;
-  for (size_t i = 0; i < tests.size(); ++i) {
-    const auto& [ray, t_max] = tests[i];
-    const auto expected = oracle.closest(ray, Hit<float>::start(), t_max);
-    const bool same = expected ? nearest.id[i] == expected->id && nearest.t[i] == expected->t
-                               : nearest.id[i] == no_hit_id && (nearest.t[i] == t_max || std::isnan(t_max));
-    const bool same_shadow =
-        oracle.occluded(ray, t_max) ? any.id[i] != no_hit_id && any.t[i] < t_max : any.id[i] == no_hit_id;
-    differences += same && same_shadow ? 0 : 1;
+  for (const Grouping grouping : {Grouping::single, Grouping::packets}) {
+    core.closest(rays, nearest, scratch, grouping);
+    core.occluded(rays, any, scratch, grouping);
+    for (size_t i = 0; i < tests.size(); ++i) {
+      const auto& [ray, t_max] = tests[i];
+      const auto expected = oracle.closest(ray, Hit<float>::start(), t_max);
+      const bool same = expected ? nearest.id[i] == expected->id && nearest.t[i] == expected->t
+                                 : nearest.id[i] == no_hit_id && (nearest.t[i] == t_max || std::isnan(t_max));
+      const bool same_shadow =
+          oracle.occluded(ray, t_max) ? any.id[i] != no_hit_id && any.t[i] < t_max : any.id[i] == no_hit_id;
+      differences += same && same_shadow ? 0 : 1;
+    }
   }
   return differences;
 }

@@ -1,0 +1,126 @@
+// Stacks of what is left to visit, one for each ray or packet in flight.
+#if defined(RAYSWEEP_WIDE_STACKS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYSWEEP_WIDE_STACKS_INL_H_
+#undef RAYSWEEP_WIDE_STACKS_INL_H_
+#else
+#define RAYSWEEP_WIDE_STACKS_INL_H_
+#endif
+
+#include "tracer/wide/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raysweep {
+namespace HWY_NAMESPACE {
+
+inline constexpr WideChild sentinel = leaf_bit;  // the block without primitives: the end of a stack
+
+/// What is in flight knows where its stack is: `bottom`, `top` (the first free entry), and `current`, popped
+/// last.
+struct StackPlace {
+  uint32_t top, bottom;
+  WideChild current;
+  uint32_t block;  // visited last
+};
+
+class Stacks {
+ public:
+  /// Entries that one stack may need: a vector's store at its top reaches past it.
+  template <class Tree>
+  HWY_INLINE static size_t size_for(const Tree& tree) {
+    return padded_to_lanes(tree.stack_size() + lane_count);
+  }
+  static constexpr size_t entry_bytes = sizeof(WideChild) + sizeof(float);
+
+  /// `count` stacks of `size` entries in `memory`; where it ends.
+  HWY_INLINE char* place(char* memory, size_t count, size_t size) {
+    children_ = reinterpret_cast<WideChild*>(memory);
+    enters_ = reinterpret_cast<float*>(children_ + count * size);
+    return reinterpret_cast<char*>(enters_ + count * size);
+  }
+
+  HWY_INLINE void begin(StackPlace& at, size_t bottom) const {
+    at.bottom = static_cast<uint32_t>(bottom);
+    children_[bottom] = sentinel;
+    enters_[bottom] = -1;  // never cut off
+  }
+
+  /// Starts over at the root.
+  HWY_INLINE static void restart(StackPlace& at) {
+    at.top = at.bottom + 1;
+    at.current = 0;
+  }
+
+  /// Pushes the children that are met, from far to near, and pops the nearest, else what was left for later.
+  HWY_INLINE void push_in_order(StackPlace& at, WordLanes children, FloatLanes enter, LaneMask met,
+                                uint32_t far_to_near) const {
+    const Floats d;
+    const Words dw;
+    const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity());
+    const WordLanes by_distance = unpack(far_to_near);
+    const FloatLanes keys = permute(hn::IfThenElse(met, enter, infinity), by_distance);
+    const Compaction kept(hn::Lt(keys, infinity));
+    hn::StoreU(kept(permute(children, by_distance)), dw, children_ + at.top);
+    hn::StoreU(kept(keys), d, enters_ + at.top);
+    pop(at, at.top + kept.count());
+  }
+
+  /// Pushes them in any order.
+  HWY_INLINE void push(StackPlace& at, WordLanes children, LaneMask met) const {
+    const Compaction kept(met);
+    hn::StoreU(kept(children), Words(), children_ + at.top);
+    pop(at, at.top + kept.count());
+  }
+
+  /// Goes on to the leaf's next block, else to what the stack holds.
+  HWY_INLINE void leave_block(StackPlace& at, uint32_t more) const {
+    const uint32_t top = at.top - (1 - more);
+    const WideChild popped = children_[top];
+    at.current = more != 0 ? at.current + 1 : popped;
+    at.top = top;
+  }
+
+  /// Forgets what begins behind `limit`, just after a block was left.
+  HWY_INLINE void shorten(StackPlace& at, float limit_now, uint32_t more) const {
+    const Floats d;
+    const Words dw;
+    const FloatLanes limit = hn::Set(d, limit_now);
+    // What was popped for `current` is still there; only a leaf that goes on was not.
+    const uint32_t end = at.top + (1 - more);
+    uint32_t kept = at.bottom;
+    for (uint32_t from = at.bottom; from < end; from += lane_count) {
+      const FloatLanes enters = hn::LoadU(d, enters_ + from);
+      const WordLanes children = hn::LoadU(dw, children_ + from);
+      const LaneMask is_entry = hn::RebindMask(d, hn::Lt(hn::Iota(dw, from), hn::Set(dw, end)));
+      const Compaction keep(hn::And(hn::Le(enters, limit), is_entry));
+      hn::StoreU(keep(enters), d, enters_ + kept);
+      hn::StoreU(keep(children), dw, children_ + kept);
+      kept += keep.count();
+    }
+    at.top = kept;
+    if (more == 0) pop(at, kept);
+  }
+
+ private:
+  HWY_INLINE void pop(StackPlace& at, uint32_t top) const {
+    --top;
+    at.current = children_[top];
+    at.top = top;
+  }
+
+  WideChild* children_ = nullptr;
+  float* enters_ = nullptr;
+};
+
+/// Corners of a block's triangles.
+template <class Block>
+HWY_INLINE Corners<Floats> corners_of(const Block& block) {
+  const auto corner = [&](size_t row)
+                          HWY_ATTR { return load_rows(Floats(), block.corners[row], lane_count); };
+  return {corner(0), corner(3), corner(6)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raysweep
+HWY_AFTER_NAMESPACE();
+
+#endif
