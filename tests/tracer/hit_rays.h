@@ -28,16 +28,51 @@ struct TestRay {
   T t_max;  // finite for shadow rays
 };
 
+/// Which pixels follow one another.
+enum class PixelOrder {
+  scattered,
+  blocks,  // 4 × 4 of them, each at a random place
+};
+
+/// Places on a picture of 1024 × 768, at random.
+template <class T>
+class RandomPixels {
+ public:
+  RandomPixels(PixelOrder order, std::mt19937& random) : order_(order), random_(random) {}
+
+  /// Whether `next` begins a new block; each scattered place is one.
+  [[nodiscard]] bool begins_block() const { return order_ == PixelOrder::scattered || count_ % 16 == 0; }
+
+  std::pair<T, T> next() {
+    if (begins_block()) {
+      x_ = uniform_(random_) * 1024;
+      y_ = uniform_(random_) * 768;
+      count_ = 0;
+    }
+    const auto i = static_cast<int>(count_++);
+    return {x_ + static_cast<T>(i % 4), y_ + static_cast<T>(i / 4)};
+  }
+
+ private:
+  PixelOrder order_;
+  std::mt19937& random_;
+  std::uniform_real_distribution<T> uniform_{0, 1};
+  T x_ = 0, y_ = 0;
+  unsigned count_ = 0;
+};
+
 /// `count` rays of `kind`: primary (random pixels), shadow (from primary hits to random lights), reflected
 /// (mirrored at primary hits), random (any origin in the scene, any direction).
 template <class T, class Core>
-std::vector<TestRay<T>> make_rays(const Scene& scene, const Core& core, const std::string& kind,
-                                  size_t count) {
+std::vector<TestRay<T>> make_rays(const Scene& scene, const Core& core, const std::string& kind, size_t count,
+                                  PixelOrder order = PixelOrder::scattered) {
   constexpr T infinity = std::numeric_limits<T>::infinity();
   std::mt19937 random(42);
   std::uniform_real_distribution<T> uniform(0, 1);
   const View<T> view(scene.camera, 1024, 768);
   std::vector<TestRay<T>> rays;
+  RandomPixels<T> pixels(order, random);
+  size_t light = 0;
   while (rays.size() < count) {
     if (kind == "random") {
       const auto symmetric = [&] { return 2 * uniform(random) - 1; };
@@ -46,7 +81,9 @@ std::vector<TestRay<T>> make_rays(const Scene& scene, const Core& core, const st
       if (length(direction) > 0) rays.push_back({{origin, normalize(direction)}, infinity});
       continue;
     }
-    const Ray<T> primary = view.through(uniform(random) * 1024, uniform(random) * 768);
+    if (pixels.begins_block() && !scene.lights.empty()) light = random() % scene.lights.size();
+    const auto [x, y] = pixels.next();
+    const Ray<T> primary = view.through(x, y);
     if (kind == "primary") {
       rays.push_back({primary, infinity});
       continue;
@@ -58,7 +95,7 @@ std::vector<TestRay<T>> make_rays(const Scene& scene, const Core& core, const st
     if (kind == "reflected") {
       rays.push_back({{origin, normalize(reflect(primary.direction, surface.normal))}, infinity});
     } else {
-      const Vec3<T> towards = Vec3<T>(scene.lights[random() % scene.lights.size()].position) - origin;
+      const Vec3<T> towards = Vec3<T>(scene.lights[light].position) - origin;
       rays.push_back({{origin, normalize(towards)}, length(towards)});
     }
   }

@@ -50,32 +50,27 @@ class ExtremesOf {
   RayLanes least_, most_;
 };
 
-/// What holds for every ray of a packet: on each axis reciprocals lie between two numbers of one sign, and
-/// origins between two others.
+/// When a packet meets planes: t = plane·slope + offset, for the first of its rays to enter and for the last
+/// to leave. On each axis the rays' reciprocals lie between two numbers of one sign, and their origins
+/// between two others. What is entered lies ahead, at a way of (plane − origin)·reciprocal ≥ 0, which is
+/// least for the reciprocal next to 0 and the origin farthest along; where it is not ahead, less than 0 is
+/// found as well, and 0 is taken. In the same way the last to leave has the largest reciprocal and the
+/// hindmost origin. Offsets are moved to the safe side, and limits and far distances widened, as in Slot.
 struct Beam {
-  float low[4], high[4];                // of reciprocals
-  float near_origin[4], far_origin[4];  // the ones that make planes nearest and farthest
-  uint32_t near_plane[4];               // as in Slot
-  float limit;                          // no ray asks for more
+  float near_slope[4], near_offset[4], far_slope[4], far_offset[4];
+  uint32_t near_plane[4];  // as in Slot
+  float limit;             // no ray asks for more
 
   HWY_INLINE void set_axis(size_t axis, const Extremes& reciprocals, const Extremes& origins) {
     const bool is_negative = reciprocals.most < 0;
-    low[axis] = reciprocals.least;
-    high[axis] = reciprocals.most;
-    near_origin[axis] = is_negative ? origins.least : origins.most;
-    far_origin[axis] = is_negative ? origins.most : origins.least;
+    near_slope[axis] = is_negative ? reciprocals.most : reciprocals.least;
+    far_slope[axis] = is_negative ? reciprocals.least : reciprocals.most;
+    const float near_c = -(is_negative ? origins.least : origins.most) * near_slope[axis],
+                far_c = -(is_negative ? origins.most : origins.least) * far_slope[axis];
+    near_offset[axis] = near_c - (std::abs(near_c) * offset_error + smallest);
+    far_offset[axis] = far_c + (std::abs(far_c) * offset_error + smallest);
     constexpr uint32_t row = lane_count * sizeof(float);
     near_plane[axis] = (static_cast<uint32_t>(axis) * 2 + (is_negative ? 1 : 0)) * row;
-  }
-
-  /// When some ray is the first to meet planes that are entered, and the last to meet those that are left.
-  [[nodiscard]] HWY_INLINE FloatLanes earliest(FloatLanes planes, size_t axis) const {
-    const FloatLanes way = hn::Sub(planes, hn::Set(Floats(), near_origin[axis]));
-    return hn::Min(hn::Mul(way, hn::Set(Floats(), low[axis])), hn::Mul(way, hn::Set(Floats(), high[axis])));
-  }
-  [[nodiscard]] HWY_INLINE FloatLanes latest(FloatLanes planes, size_t axis) const {
-    const FloatLanes way = hn::Sub(planes, hn::Set(Floats(), far_origin[axis]));
-    return hn::Max(hn::Mul(way, hn::Set(Floats(), low[axis])), hn::Mul(way, hn::Set(Floats(), high[axis])));
   }
 
   /// Boxes that some ray may be inside of, and when the first one is.
@@ -89,24 +84,26 @@ struct Beam {
     const Floats d;
     constexpr uint32_t row = lane_count * sizeof(float);
     const uint32_t x = near_plane[0], y = near_plane[1], z = near_plane[2];
-    const FloatLanes enter = hn::Max(hn::Max(earliest(plane(x), 0), earliest(plane(y), 1)),
-                                     hn::Max(earliest(plane(z), 2), hn::Zero(d)));
+    const auto at = [&](uint32_t planes, const float* slopes, const float* offsets, size_t axis) HWY_ATTR {
+      return hn::MulAdd(plane(planes), hn::Set(Floats(), slopes[axis]), hn::Set(Floats(), offsets[axis]));
+    };
+    const FloatLanes enter =
+        hn::Max(hn::Max(at(x, near_slope, near_offset, 0), at(y, near_slope, near_offset, 1)),
+                hn::Max(at(z, near_slope, near_offset, 2), hn::Zero(d)));
     const FloatLanes leave =
-        hn::Min(latest(plane(x ^ row), 0), hn::Min(latest(plane(y ^ row), 1), latest(plane(z ^ row), 2)));
+        hn::Min(at(x ^ row, far_slope, far_offset, 0),
+                hn::Min(at(y ^ row, far_slope, far_offset, 1), at(z ^ row, far_slope, far_offset, 2)));
     return {enter, hn::Le(enter, hn::Min(hn::Mul(leave, hn::Set(d, widening)), hn::Set(d, limit)))};
   }
 };
 
 /// Loads packets and makes their beams.
 ///
-/// Boxes are met by `slab` in intervals: its operations are monotone, so that with the same ones on the
-/// intervals' ends no box is lost that it keeps.
-///
 /// Rays towards one point, such as a light, are looked at from there: from their ends E = O + t_max·D
 /// backwards, where the beam is narrow over its whole length. Let u = 2⁻²⁴. Where `slab` keeps a box, the
 /// exact ray passes within 10u(|O| + |p|) of it, p being the box's farthest plane: 9 roundings of both ends
 /// of the interval. A computed end is off by 3u(2|O| + |E|). Ends are moved by 16u(|O| + |E| + |p|), which is
-/// more; the three roundings of the interval's own operations are outweighed by `widening`.
+/// more; the roundings of the beam's own operations are outweighed as Slot's are.
 template <bool any>
 class PacketLoader {
  public:

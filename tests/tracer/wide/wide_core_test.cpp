@@ -30,6 +30,38 @@ TEST(wide_core, agrees_with_the_scalar_core_on_every_scene_and_instruction_set) 
   }
 }
 
+/// Of `rays`, how many a kernel that may take neighbours together has to take alone.
+template <class Core>
+size_t count_alone(const Core& core, const std::vector<TestRay<float>>& tests) {
+  RayBatch rays(tests.size());
+  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  HitBatch hits(tests.size());
+  KernelScratch scratch;
+  if (tests[0].t_max < std::numeric_limits<float>::infinity()) {
+    core.occluded(rays, hits, scratch);
+  } else {
+    core.closest(rays, hits, scratch);
+  }
+  return scratch.groups.size() * packet_size;
+}
+
+TEST(wide_core, neighbours_go_together_and_agree) {
+  constexpr size_t count = 1600;
+  for (const BuiltInScene& built_in : scenes_up_to(brute_force_triangles)) {
+    const Scene scene = built_in.make(2);
+    const ScalarCore<float, MollerTrumbore> oracle(scene, "sah", 4);
+    for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+      for (const char* kind : {"primary", "shadow", "reflected"}) {
+        const auto rays = make_rays<float>(scene, oracle, kind, count, PixelOrder::blocks);
+        EXPECT_EQ(count_differences(core, oracle, rays), 0u) << built_in.name << ' ' << isa << ' ' << kind;
+        if (kind == std::string("primary")) {
+          EXPECT_LT(count_alone(core, rays), count / 2) << built_in.name << ' ' << isa;
+        }
+      }
+    });
+  }
+}
+
 TEST(wide_core, agrees_where_shapes_coincide) {
   for_each_method([&](auto method) {
     for (const auto& [accel, leaf] : {std::pair("sah", 4), {"median", 1}, {"median", 5}, {"none", 4}})
