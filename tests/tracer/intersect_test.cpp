@@ -26,9 +26,10 @@ class Method : public testing::Test {
     return M::intersect(ray, M::prepare(triangle));
   }
 };
-using Variants = testing::Types<Variant<MollerTrumbore, float>, Variant<MollerTrumbore, double>,
-                                Variant<Morozov, float>, Variant<Morozov, double>>;
-static_assert(std::tuple_size_v<Methods> == 2, "a new method must be added to Variants above");
+using Variants =
+    testing::Types<Variant<MollerTrumbore, float>, Variant<MollerTrumbore, double>, Variant<Morozov, float>,
+                   Variant<Morozov, double>, Variant<WoopWatertight, float>, Variant<WoopWatertight, double>>;
+static_assert(std::tuple_size_v<Methods> == 3, "a new method must be added to Variants above");
 TYPED_TEST_SUITE(Method, Variants);
 
 template <class T>

@@ -2,9 +2,9 @@
 // catalogue. The oracle is brute force.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
+#include "tests/tracer/edge_rays.h"
 #include "tests/tracer/hit_rays.h"
 #include "tracer/accel/m11.h"
 #include "tracer/intersect/all.h"
@@ -12,13 +12,6 @@
 
 namespace raysweep {
 namespace {
-
-Scene scene_of(std::vector<Mesh> meshes) {
-  Scene scene;
-  scene.materials = {{}};
-  scene.meshes = std::move(meshes);
-  return scene;
-}
 
 /// Unit boxes side by side: faces at whole numbers, many of them shared.
 Scene boxes(int side) {
@@ -29,35 +22,6 @@ Scene boxes(int side) {
     }
   }
   return scene_of(std::move(meshes));
-}
-
-/// A closed sphere of 2·around·(rings − 1) triangles, its radius at each vertex 2 + U(0, 1).
-Mesh rough_sphere(int around, int rings, std::mt19937& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  Mesh mesh;
-  const auto vertex = [&](double polar, double azimuth) {
-    mesh.vertices.emplace_back((2 + uniform(random)) * Vec3d(std::sin(polar) * std::cos(azimuth),
-                                                             std::cos(polar),
-                                                             std::sin(polar) * std::sin(azimuth)));
-  };
-  vertex(0, 0);
-  for (int ring = 1; ring < rings; ++ring) {
-    for (int i = 0; i < around; ++i)
-      vertex(std::numbers::pi * ring / rings, 2 * std::numbers::pi * i / around);
-  }
-  vertex(std::numbers::pi, 0);
-  const auto at = [&](int ring, int i) {
-    if (ring == 0) return 0u;
-    if (ring == rings) return static_cast<uint32_t>(mesh.vertices.size() - 1);
-    return static_cast<uint32_t>(1 + (ring - 1) * around + i % around);
-  };
-  for (int ring = 0; ring < rings; ++ring) {
-    for (int i = 0; i < around; ++i) {
-      if (ring > 0) mesh.triangles.push_back({at(ring, i), at(ring, i + 1), at(ring + 1, i)});
-      if (ring + 1 < rings) mesh.triangles.push_back({at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)});
-    }
-  }
-  return mesh;
 }
 
 template <class T>

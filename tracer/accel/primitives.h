@@ -67,10 +67,14 @@ class Primitives {
   }
 
   /// The distance at which triangle `id` counts as hit if its method found it at `t`: for methods that ran
-  /// elsewhere.
+  /// elsewhere. There, watertight ones leave a triangle where floats cannot decide, at NaN, to this one here.
   [[nodiscard]] std::optional<T> accept_triangle(uint32_t id, T t, const Ray<T>& ray,
                                                  const SlabRay<T>& slab_ray, const Hit<T>& after) const {
-    if (!triangles_[id - first_triangle()].is_ahead_of(ray)) return std::nullopt;
+    if (Method::is_watertight && std::isnan(t))
+      return intersect_triangle(id, triangle(id), ray, slab_ray, after);
+    const TriangleShape<T>& shape = triangles_[id - first_triangle()];
+    if (!shape.is_ahead_of(ray) && !(Method::is_watertight && shape.has_all_corners_ahead_of(ray)))
+      return std::nullopt;
     return accept(id, t, slab_ray, after);
   }
 

@@ -103,6 +103,24 @@ struct TriangleShape {
     return side > 0 ? towards < 0 : side < 0 && towards > 0;
   }
 
+  /// Whether every corner is ahead of the ray's start along the axis in which its direction is longest: no
+  /// rounding takes part. For watertight methods this is enough to be met. `is_ahead_of` knows nothing of a
+  /// ray that runs in the triangle's plane but for rounding, and such a triangle may be all that is between
+  /// its neighbours. A ray that starts on the triangle and heads away has a corner behind it: the inset keeps
+  /// its start farther from the edges than the clearance lifts it.
+  [[nodiscard]] bool has_all_corners_ahead_of(const Ray<T>& ray) const {
+    const Vec3<T>& d = ray.direction;
+    const T longest = max_abs(d);
+    const int axis = std::abs(d.x) == longest ? 0 : std::abs(d.y) == longest ? 1 : 2;
+    const auto is_ahead = [&](const Vec3<T>& corner) {
+      return d[axis] > 0 ? corner[axis] > ray.origin[axis] : corner[axis] < ray.origin[axis];
+    };
+    return has_area() && is_ahead(corners.a) && is_ahead(corners.b) && is_ahead(corners.c);
+  }
+
+  /// A triangle without area is no surface, and is never met.
+  [[nodiscard]] bool has_area() const { return !(normal == Vec3<T>()); }
+
   /// The point from barycentric coordinates: off the plane by rounding of the corners' sum alone, however far
   /// the ray came. Next to an edge it is moved inwards by a few clearances, lest a ray that starts off this
   /// face starts on the wrong side of the neighbouring one.
@@ -135,7 +153,7 @@ struct TriangleShape {
 /// 8u·|e||f|/|e×f| in double, over the triangle's extent; e and f are the two shorter edges, which cancel
 /// least.
 template <class T>
-TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(0, 1, 0), clearance(0) {
+TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(), clearance(0) {
   const std::array<Vec3d, 3> p{Vec3d(t.a), Vec3d(t.b), Vec3d(t.c)};
   // Edges opposite to each corner.
   const std::array<double, 3> edge{length(p[2] - p[1]), length(p[0] - p[2]), length(p[1] - p[0])};
@@ -143,7 +161,7 @@ TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(0, 1,
   const Vec3d &tip = p[apex], &left = p[(apex + 1) % 3], &right = p[(apex + 2) % 3];
   const Vec3d n = cross(left - tip, right - tip);
   const double area = length(n), longest = edge[apex];
-  if (!(area > 0)) return;  // no surface: no method hits it
+  if (!(area > 0)) return;  // no surface: no ray is on one side of it
   normal = Vec3<T>(n * (1 / area));
   const auto largest = [](T a, T b, T c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); };
   const Vec3<T> m(largest(t.a.x, t.b.x, t.c.x), largest(t.a.y, t.b.y, t.c.y), largest(t.a.z, t.b.z, t.c.z));

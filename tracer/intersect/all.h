@@ -5,10 +5,11 @@
 
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/intersect/morozov.h"
+#include "tracer/intersect/woop_watertight.h"
 
 namespace raysweep {
 
-using Methods = std::tuple<MollerTrumbore, Morozov>;
+using Methods = std::tuple<MollerTrumbore, Morozov, WoopWatertight>;
 
 /// Calls `visit(method)` with an object of each method in turn.
 template <class Visit>

@@ -23,12 +23,14 @@ struct TriangleHit {
 };
 
 /// A method. `prepare` runs once per triangle, `intersect` per test; a hit has t > 0, β ≥ 0, γ ≥ 0, β + γ ≤
-/// 1, edges and corners included. NaN anywhere is a miss.
+/// 1, edges and corners included. NaN anywhere is a miss. `is_watertight`: no ray passes between triangles
+/// that share an edge or a corner, whatever is rounded.
 template <class M, class T>
 concept Intersector = requires(const Triangle<T>& triangle, const Ray<T>& ray,
                                const typename M::template Prepared<T>& prepared) {
   { M::name } -> std::convertible_to<std::string_view>;
   { M::summary } -> std::convertible_to<std::string_view>;
+  { M::is_watertight } -> std::convertible_to<bool>;
   { M::prepare(triangle) } -> std::same_as<typename M::template Prepared<T>>;
   { M::intersect(ray, prepared) } -> std::same_as<std::optional<TriangleHit<T>>>;
 };

@@ -11,6 +11,7 @@ struct MollerTrumbore {
   static constexpr std::string_view name = "moller_trumbore";
   static constexpr std::string_view summary =
       "Moeller & Trumbore 1997; edges precomputed, barycentric tests first";
+  static constexpr bool is_watertight = false;
 
   template <class T>
   struct Prepared {

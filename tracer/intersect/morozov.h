@@ -11,6 +11,7 @@ struct Morozov {
   static constexpr std::string_view name = "morozov";
   static constexpr std::string_view summary =
       "Morozov 2011, formula (10); normal and edges precomputed, distance first";
+  static constexpr bool is_watertight = false;
 
   template <class T>
   struct Prepared {

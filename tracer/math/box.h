@@ -49,14 +49,17 @@ struct Interval {
 template <class T>
 inline constexpr T slab_widening = [] {
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
-  return 1 + 2 * (3 * u / (1 - 3 * u));
+  return 1 + 2 * (5 * u / (1 - 5 * u));
 }();
 
 /// The interval inside `box` of the ray from `t_min` on.
 ///
-/// Rounding never loses a box that the exact ray meets: `leave` is widened by 1 + 2γ(3), γ(n) = nu/(1 − nu),
-/// u half an ulp of 1 (Ize 2013, "Robust BVH ray traversal"). A ray inside the plane of a face gives 0·inf =
-/// NaN on that axis; both comparisons below are false for NaN, so the axis is left out, which keeps the box.
+/// Rounding never loses a box that the exact ray meets: `leave` is widened by 1 + 2γ(5), γ(n) = nu/(1 − nu),
+/// u half an ulp of 1. For that, γ(3) would do (Ize 2013, "Robust BVH ray traversal"); but a watertight
+/// method has to be believed where it sees a corner beside the exact ray. It begins with the same `bound −
+/// origin` and rounds twice on each of two axes, as does what is below: 8u between these axes. A ray inside
+/// the plane of a face gives 0·inf = NaN on that axis; both comparisons below are false for NaN, so the axis
+/// is left out, which keeps the box.
 ///
 /// The result is monotone: a box inside another one never gets the wider interval. Every operation is
 /// (subtraction, multiplication by a constant of fixed sign, min, max, and rounding itself). `accept` in

@@ -101,9 +101,9 @@ struct Beam {
 ///
 /// Rays towards one point, such as a light, are looked at from there: from their ends E = O + t_max·D
 /// backwards, where the beam is narrow over its whole length. Let u = 2⁻²⁴. Where `slab` keeps a box, the
-/// exact ray passes within 10u(|O| + |p|) of it, p being the box's farthest plane: 9 roundings of both ends
-/// of the interval. A computed end is off by 3u(2|O| + |E|). Ends are moved by 16u(|O| + |E| + |p|), which is
-/// more; the roundings of the beam's own operations are outweighed as Slot's are.
+/// exact ray passes within 15u(|O| + |p|) of it, p being the box's farthest plane: 3 roundings of each end of
+/// the interval and its widening. A computed end is off by 3u(2|O| + |E|). Ends are moved by 32u(|O| + |E| +
+/// |p|), which is more; the roundings of the beam's own operations are outweighed as Slot's are.
 template <bool any>
 class PacketLoader {
  public:
@@ -202,7 +202,7 @@ class PacketLoader {
 
   HWY_INLINE void turn_round(Beam& beam, const Extremes (&from)[3], const Extremes (&to)[3],
                              const Extremes (&reciprocals)[3]) const {
-    const float by = 16 * unit_roundoff<float> * (largest(from) + largest(to) + size_);
+    const float by = 32 * unit_roundoff<float> * (largest(from) + largest(to) + size_);
     for (size_t axis = 0; axis < 3; ++axis) {
       const Extremes moved{to[axis].least - by, to[axis].most + by};
       beam.set_axis(axis, {-reciprocals[axis].most, -reciprocals[axis].least}, moved);

@@ -29,6 +29,7 @@ struct WideGeometry {
 
  private:
   void set_lane(Block& block, size_t lane, uint32_t item) const {
+    for (auto& row : block.corners) row[lane] = std::numeric_limits<float>::quiet_NaN();
     block.id[lane] = item == no_hit_id ? no_hit_id : primitives->first_sphere() + item;
     if (block.id[lane] == no_hit_id) return;
     block.count = static_cast<uint32_t>(lane) + 1;

@@ -137,6 +137,8 @@ template BatchKernels<MollerTrumbore, 4> kernels_for(std::string_view);
 template BatchKernels<MollerTrumbore, 8> kernels_for(std::string_view);
 template BatchKernels<Morozov, 4> kernels_for(std::string_view);
 template BatchKernels<Morozov, 8> kernels_for(std::string_view);
+template BatchKernels<WoopWatertight, 4> kernels_for(std::string_view);
+template BatchKernels<WoopWatertight, 8> kernels_for(std::string_view);
 
 }  // namespace raysweep
 

@@ -9,6 +9,7 @@
 
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/intersect/morozov.h"
+#include "tracer/intersect/woop_watertight.h"
 #include "tracer/wide/geometry.h"
 
 namespace raysweep {

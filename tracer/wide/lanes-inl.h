@@ -11,6 +11,7 @@
 
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/intersect/morozov.h"
+#include "tracer/intersect/woop_watertight.h"
 #include "tracer/wide/compactions.h"
 #include "tracer/wide/geometry.h"
 
@@ -107,6 +108,70 @@ HWY_INLINE hn::Mask<D> is_hit(D d, const LaneHits<D>& hits) {
   return hn::And(inside, ahead);
 }
 
+/// Lanes that WoopWatertight hits. Where floats leave an edge function uncertain, the lane counts and its
+/// distance is NaN: Primitives::accept_triangle asks the method itself.
+template <class D>
+struct WatertightHits {
+  hn::Vec<D> t;
+  hn::Mask<D> mask;
+};
+
+template <class D>
+HWY_INLINE hn::Mask<D> is_hit(D, const WatertightHits<D>& hits) {
+  return hits.mask;
+}
+
+/// Swaps the axis along which the direction is longest for z. One ray's is the same in all lanes, but a
+/// choice without branches costs less than a guess that fails.
+template <class D>
+class LongestAxis {
+ public:
+  HWY_INLINE explicit LongestAxis(const Lanes3<D>& direction) {
+    const auto x = hn::Abs(direction.x), y = hn::Abs(direction.y), z = hn::Abs(direction.z);
+    is_x_ = hn::And(hn::Gt(x, y), hn::Gt(x, z));
+    is_y_ = hn::AndNot(is_x_, hn::Gt(y, z));
+  }
+  HWY_INLINE Lanes3<D> as_z(const Lanes3<D>& p) const {
+    return {hn::IfThenElse(is_x_, p.z, p.x), hn::IfThenElse(is_y_, p.z, p.y), z_of(p)};
+  }
+  HWY_INLINE hn::Vec<D> z_of(const Lanes3<D>& p) const {
+    return hn::IfThenElse(is_x_, p.x, hn::IfThenElse(is_y_, p.y, p.z));
+  }
+
+ private:
+  hn::Mask<D> is_x_, is_y_;
+};
+
+/// The formula of WoopWatertight::intersect up to where it turns to double.
+template <class D>
+HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                                   const Corners<D>& triangle) {
+  const LongestAxis<D> axis(direction);
+  const Lanes3<D> towards = axis.as_z(direction);
+  const auto along = hn::Div(hn::Set(d, 1.0f), towards.z);
+  const auto by_x = hn::Mul(towards.x, along), by_y = hn::Mul(towards.y, along);
+  const auto sheared = [&](const Lanes3<D>& corner) HWY_ATTR {
+    const Lanes3<D> p = axis.as_z(minus<D>(corner, origin));
+    return Lanes3<D>{hn::Sub(p.x, hn::Mul(by_x, p.z)), hn::Sub(p.y, hn::Mul(by_y, p.z)), p.z};
+  };
+  const Lanes3<D> a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const auto edge = [](const Lanes3<D>& p, const Lanes3<D>& q)
+                        HWY_ATTR { return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x)); };
+  const auto u = edge(c, b), v = edge(a, c), w = edge(b, a);
+  // Where one of them is NaN, so is the distance.
+  const auto is_inside =
+      hn::Or(hn::Ge(hn::Min(hn::Min(u, v), w), hn::Zero(d)), hn::Le(hn::Max(hn::Max(u, v), w), hn::Zero(d)));
+  const auto least = hn::Min(hn::Min(hn::Abs(u), hn::Abs(v)), hn::Abs(w));
+  const auto is_uncertain = hn::Lt(least, hn::Set(d, WoopWatertight::least_certain<float>));
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(u, v), w));
+  const auto sum = hn::Add(hn::Add(hn::Mul(hn::Mul(u, inverse), a.z), hn::Mul(hn::Mul(v, inverse), b.z)),
+                           hn::Mul(hn::Mul(w, inverse), c.z));
+  const auto t = hn::Mul(sum, along);
+  const auto is_ahead =
+      hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity())));
+  return {hn::IfThenElse(is_uncertain, hn::NaN(d), t), hn::And(is_inside, hn::Or(is_uncertain, is_ahead))};
+}
+
 /// Boxes around triangles as `Primitives` keeps them: `padded`.
 template <class D>
 struct LaneBoxes {
@@ -154,15 +219,31 @@ HWY_INLINE AcceptedHits<D> hold(D d, const Lanes3<D>& origin, const Lanes3<D>& r
   return {held, hn::And(hn::And(hn::Gt(t, zero), hn::Le(enter, leave)), hn::Gt(held, zero))};
 }
 
-/// Primitives::accept_triangle, for regular rays.
+/// TriangleShape::has_all_corners_ahead_of.
 template <class D>
-HWY_INLINE AcceptedHits<D> accept(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+HWY_INLINE hn::Mask<D> has_all_corners_ahead(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                                             const Corners<D>& triangle, const Lanes3<D>& normal) {
+  const LongestAxis<D> axis(direction);
+  const auto from = axis.z_of(origin), a = axis.z_of(triangle.a), b = axis.z_of(triangle.b),
+             c = axis.z_of(triangle.c);
+  const auto least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
+  const auto is_ahead = hn::Or(hn::And(hn::Gt(axis.z_of(direction), hn::Zero(d)), hn::Gt(least, from)),
+                               hn::And(hn::Lt(axis.z_of(direction), hn::Zero(d)), hn::Lt(most, from)));
+  const auto size = hn::Max(hn::Max(hn::Abs(normal.x), hn::Abs(normal.y)), hn::Abs(normal.z));
+  return hn::And(is_ahead, hn::Gt(size, hn::Zero(d)));
+}
+
+/// Primitives::accept_triangle, for regular rays and hits whose distances are known.
+template <class Method, class D>
+HWY_INLINE AcceptedHits<D> accept(Method, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
                                   const Lanes3<D>& reciprocal, const LaneBoxes<D>& boxes,
-                                  const Lanes3<D>& corner, const Lanes3<D>& normal, hn::Vec<D> t) {
+                                  const Corners<D>& triangle, const Lanes3<D>& normal, hn::Vec<D> t) {
   const auto zero = hn::Zero(d);
-  const auto side = dot<D>(normal, minus<D>(origin, corner)), towards = dot<D>(normal, direction);
-  const auto is_ahead = hn::Or(hn::And(hn::Gt(side, zero), hn::Lt(towards, zero)),
-                               hn::And(hn::Lt(side, zero), hn::Gt(towards, zero)));
+  const auto side = dot<D>(normal, minus<D>(origin, triangle.a)), towards = dot<D>(normal, direction);
+  auto is_ahead = hn::Or(hn::And(hn::Gt(side, zero), hn::Lt(towards, zero)),
+                         hn::And(hn::Lt(side, zero), hn::Gt(towards, zero)));
+  if constexpr (Method::is_watertight)
+    is_ahead = hn::Or(is_ahead, has_all_corners_ahead(d, origin, direction, triangle, normal));
   const AcceptedHits<D> held = hold(d, origin, reciprocal, boxes, t);
   return {held.t, hn::And(is_ahead, held.accepted)};
 }

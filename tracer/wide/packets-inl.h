@@ -202,7 +202,7 @@ class Packets {
     const Corners<RayTag> corners = corners_in(blocks_[packet.block], lane);
     RayMask is_met = hn::FirstN(d, 0);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const LaneHits<RayTag> found =
+      const auto found =
           solve(Method{}, d, load_rays(packet.origin, at), load_rays(packet.direction, at), corners);
       const RayMask hit = is_hit(d, found);
       hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
@@ -228,11 +228,28 @@ class Packets {
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
       const RayLanes t = hn::Load(d, distances + at);
       const AcceptedHits<RayTag> hits =
-          accept(d, load_rays(packet.origin, at), load_rays(packet.direction, at),
-                 load_rays(packet.reciprocal, at), boxes, corners.a, normal, t);
+          accept(Method{}, d, load_rays(packet.origin, at), load_rays(packet.direction, at),
+                 load_rays(packet.reciprocal, at), boxes, corners, normal, t);
       const RayMask is_candidate = hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity()));
       keep(packet, at, hits.t, hn::And(is_candidate, hits.accepted), block.id[lane]);
     }
+    if constexpr (Method::is_watertight) {
+      for (size_t i = 0; i < packet_size; ++i)
+        if (std::isnan(distances[i])) decide(packet, i, block.id[lane]);
+    }
+  }
+
+  /// Whether ray `i` meets a triangle of which lanes cannot tell.
+  HWY_INLINE void decide(Packet& packet, size_t i, uint32_t id) {
+    const auto of_ray = [i](const PacketRows& rows) { return Vec3f(rows[0][i], rows[1][i], rows[2][i]); };
+    const Ray<float> ray{of_ray(packet.origin), of_ray(packet.direction)};
+    const auto t =
+        primitives_.accept_triangle(id, std::numeric_limits<float>::quiet_NaN(), ray,
+                                    SlabRay<float>(ray, of_ray(packet.reciprocal)), Hit<float>::start());
+    if (!t || !(any ? *t < packet.t[i] : Hit<float>{*t, id}.before({packet.t[i], packet.id[i]}))) return;
+    packet.t[i] = any ? -*t : *t;
+    packet.id[i] = id;
+    packet.has_news = 1;
   }
 
   HWY_INLINE void meet_sphere(Packet& packet, uint32_t id) {

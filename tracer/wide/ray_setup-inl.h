@@ -35,6 +35,16 @@ struct alignas(64) Slot : StackPlace {
   uint32_t bottom;                 // of its stack
 };
 
+/// The ray of a slot for what is computed outside of lanes.
+struct RayOfSlot {
+  Ray<float> ray;
+  SlabRay<float> slab_ray;
+
+  HWY_INLINE explicit RayOfSlot(const Slot& s)
+      : ray{{s.origin[0], s.origin[1], s.origin[2]}, {s.direction[0], s.direction[1], s.direction[2]}},
+        slab_ray(ray, {s.reciprocal[0], s.reciprocal[1], s.reciprocal[2]}) {}
+};
+
 inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
 inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
 

@@ -169,7 +169,7 @@ class Stream {
       Slot& slot = slot_at(offset);
       const uint32_t index = child_index(slot.current);
       const Block& block = blocks_[index];
-      const LaneHits<Floats> found =
+      const auto found =
           solve(Method{}, d, broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
                 broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]), corners_of(block));
       // Every lane of a block of spheres is a candidate.
@@ -214,24 +214,40 @@ class Stream {
     const Corners<Floats> corners = corners_of(block);
     const FloatLanes t = hn::Load(d, slot.distances);
     const AcceptedHits<Floats> hits =
-        accept(d, spread(slot.origin), spread(slot.direction), spread(slot.reciprocal), boxes_of(d, corners),
-               corners.a, load_rows(d, block.normal[0], lane_count), t);
+        accept(Method{}, d, spread(slot.origin), spread(slot.direction), spread(slot.reciprocal),
+               boxes_of(d, corners), corners, load_rows(d, block.normal[0], lane_count), t);
     const LaneMask accepted = hn::And(hits.accepted, hn::Lt(t, infinity));
     const FloatLanes held = hn::IfThenElse(accepted, hits.t, infinity);
     const FloatLanes least = hn::MinOfLanes(d, held);
     const LaneMask is_first = hn::And(accepted, hn::Eq(held, least));
     const WordLanes ids =
         hn::IfThenElse(hn::RebindMask(dw, is_first), hn::Load(dw, block.id), hn::Set(dw, no_hit_id));
-    return {hn::GetLane(least), hn::GetLane(hn::MinOfLanes(dw, ids))};
+    Hit<float> nearest{hn::GetLane(least), hn::GetLane(hn::MinOfLanes(dw, ids))};
+    // Of lanes that are all infinite, portable vectors find the largest finite number.
+    if (nearest.id == no_hit_id) nearest = Hit<float>::none();
+    if constexpr (Method::is_watertight) return nearest_undecided(slot, block, nearest);
+    return nearest;
+  }
+
+  /// `nearest`, or what comes before it among the triangles that lanes cannot decide.
+  HWY_INLINE Hit<float> nearest_undecided(const Slot& slot, const Block& block, Hit<float> nearest) const {
+    const LaneMask is_undecided = hn::IsNaN(hn::Load(Floats(), slot.distances));
+    if (hn::AllFalse(Floats(), is_undecided)) return nearest;
+    const RayOfSlot ray(slot);
+    for (uint32_t left = bits_of(is_undecided); left != 0; left &= left - 1) {
+      const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+      const auto t = primitives_.accept_triangle(block.id[lane], slot.distances[lane], ray.ray, ray.slab_ray,
+                                                 Hit<float>::start());
+      if (t && Hit<float>{*t, block.id[lane]}.before(nearest)) nearest = {*t, block.id[lane]};
+    }
+    return nearest;
   }
 
   HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
-    const Ray<float> ray{{slot.origin[0], slot.origin[1], slot.origin[2]},
-                         {slot.direction[0], slot.direction[1], slot.direction[2]}};
-    const SlabRay<float> slab_ray(ray, {slot.reciprocal[0], slot.reciprocal[1], slot.reciprocal[2]});
+    const RayOfSlot ray(slot);
     Hit<float> nearest = Hit<float>::none();
     for (uint32_t lane = 0; lane < block.count; ++lane) {
-      const auto t = primitives_.intersect_sphere(block.id[lane], ray, slab_ray, Hit<float>::start());
+      const auto t = primitives_.intersect_sphere(block.id[lane], ray.ray, ray.slab_ray, Hit<float>::start());
       if (t && Hit<float>{*t, block.id[lane]}.before(nearest)) nearest = {*t, block.id[lane]};
     }
     return nearest;

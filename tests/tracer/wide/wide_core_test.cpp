@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tracer/edge_rays.h"
 #include "tests/tracer/mixed_scene.h"
 #include "tests/tracer/scene_sizes.h"
 #include "tests/tracer/wide/batches.h"
@@ -169,6 +170,30 @@ TEST(wide_core, agrees_in_a_hierarchy_as_deep_as_they_get) {
   }
   for_each_wide_core<MollerTrumbore>(scene, "median", 1, [&](const auto& core, std::string_view isa) {
     EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa;
+  });
+}
+
+/// Where floats alone cannot decide: exactly at edges and corners, and beside them by rounding.
+TEST(wide_core, agrees_at_edges_and_corners) {
+  std::mt19937 random(3);
+  const Scene scene = scene_of({sheet(16, 0, random), rough_sphere(16, 16, random)});
+  std::vector<TestRay<float>> rays;
+  for (int i = 0; i < 30'000; ++i) {
+    const Mesh& mesh = scene.meshes[random() % 2];
+    const Vec3d target = point_on_border(mesh, mesh.triangles[random() % mesh.triangles.size()], random);
+    // Of whole numbers of eighths, so that nothing is rounded on the way to the sheet's corners.
+    const auto eighths = [&] { return static_cast<double>(random() % 16 + 1) / 8; };
+    const double x = eighths(), y = eighths();
+    const Vec3d origin(x, y, 4);
+    rays.push_back({{Vec3f(origin), Vec3f(target - origin)}, std::numeric_limits<float>::infinity()});
+    rays.push_back({ray_towards<float>(origin * 0.3, target), std::numeric_limits<float>::infinity()});
+  }
+  for_each_method([&](auto method) {
+    using Method = decltype(method);
+    const ScalarCore<float, Method> oracle(scene, "sah", 4);
+    for_each_wide_core<Method>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+      EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa << ' ' << Method::name;
+    });
   });
 }
 
