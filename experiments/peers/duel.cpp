@@ -29,13 +29,13 @@ class Duel {
     for (const Entrant& entrant : team.entrants) all_.push_back({&entrant, ours, 0, {}, {}});
   }
 
-  void qualify(const RayBatch& rays, bool any_hit, const HitBatch& oracle) {
+  void qualify(const RayBatch& rays, bool any_hit, const OracleHits& oracle) {
     for (Performance& p : all_) {
       Contestant& contestant = *p.entrant->contestant;
       contestant.prepare(rays, any_hit);
       contestant.reset();
       contestant.run();
-      p.from_oracle = differences(contestant.hits(), oracle, rays.size, any_hit);
+      p.from_oracle = differences(contestant.hits(), oracle.of(*p.entrant), rays.size, any_hit);
       double least = timed_run(contestant);
       for (int i = 0; i < qualifying_runs; ++i) least = std::min(least, mean_seconds(contestant, least));
       p.qualifying = rays_ / least;
@@ -103,7 +103,7 @@ bool may_enter(const Entrant& entrant, DuelClass duel_class) {
 }
 
 std::vector<Performance> duel(const Team& ours, const Team& embree, const RayBatch& rays, bool any_hit,
-                              const HitBatch& oracle, const DuelOptions& options) {
+                              const OracleHits& oracle, const DuelOptions& options) {
   Duel duel(rays, options);
   duel.add(ours, true);
   duel.add(embree, false);

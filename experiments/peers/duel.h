@@ -38,10 +38,18 @@ struct Performance {
   HitDifferences from_oracle{};  // counted in the first run
 };
 
-/// Both teams on `rays`. Each entrant runs to warm up, when its hits are held against `oracle`, and to
+/// What entrants are held against.
+struct OracleHits {
+  HitBatch usual, robust;
+
+  [[nodiscard]] const HitBatch& of(const Entrant& entrant) const { return entrant.robust ? robust : usual; }
+};
+
+/// Both teams on `rays`. Each entrant runs to warm up, when its hits are held against its `oracle`, and to
 /// qualify. Then, in each round, all that qualified run, each reset before; only `run` is timed.
 [[nodiscard]] std::vector<Performance> duel(const Team& ours, const Team& embree, const RayBatch& rays,
-                                            bool any_hit, const HitBatch& oracle, const DuelOptions& options);
+                                            bool any_hit, const OracleHits& oracle,
+                                            const DuelOptions& options);
 
 /// The fastest of a team in a class by its median over the rounds; null if none entered.
 [[nodiscard]] const Performance* best_of(std::span<const Performance> all, bool ours, DuelClass duel_class);

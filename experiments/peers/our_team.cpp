@@ -2,7 +2,7 @@
 
 #include <malloc.h>
 
-#include <optional>
+#include <type_traits>
 
 #include "experiments/clock.h"
 #include "results/statistics/statistics.h"
@@ -17,9 +17,6 @@ size_t heap_bytes() {
   const auto info = mallinfo2();
   return info.uordblks + info.hblkhd;
 }
-
-template <int width>
-using FastCore = WideCore<MollerTrumbore, width>;
 
 /// `Core` has `closest` and `occluded` of batches; several contestants may share one.
 template <class Core>
@@ -69,22 +66,29 @@ std::shared_ptr<const Core> build(const Scene& scene, std::string_view isa, Buil
 }  // namespace
 
 OracleCore make_oracle(const Scene& scene) { return OracleCore(scene, "sah", 4); }
+RobustOracleCore make_robust_oracle(const Scene& scene) { return RobustOracleCore(scene, "sah", 4); }
 
 Team make_our_team(const Scene& scene) {
   Team team;
   BuildCost cost;
-  const auto enter = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
+  const auto enter = [&]<class Core>(std::type_identity<Core>, std::string_view isa) {
+    constexpr bool robust = Core::Method::is_watertight;
     BuildCost here;
-    const auto core = build<FastCore<width>>(scene, isa, here);
-    if (team.entrants.empty() || here.seconds < cost.seconds)
+    const auto core = build<Core>(scene, isa, here);
+    if (!robust && (team.entrants.empty() || here.seconds < cost.seconds))
       cost = here;  // as for Embree, the quicker one counts
-    team.entrants.push_back(
-        {std::make_unique<OurContestant<FastCore<width>>>("single " + std::string(isa), core), true, false});
+    team.entrants.push_back({std::make_unique<OurContestant<Core>>(
+                                 "single " + std::string(isa) + (robust ? " robust" : ""), core),
+                             true, robust});
+  };
+  const auto enter_both = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
+    enter(std::type_identity<WideCore<MollerTrumbore, width>>(), isa);
+    enter(std::type_identity<WideCore<WoopWatertight, width>>(), isa);
   };
   for (const Isa& isa : built_isas()) {
     if (!runs_here(isa.name)) continue;
-    if (isa.width == 8) enter(std::integral_constant<int, 8>(), isa.name);
-    if (isa.width == 4 && team.entrants.empty()) enter(std::integral_constant<int, 4>(), isa.name);
+    if (isa.width == 8) enter_both(std::integral_constant<int, 8>(), isa.name);
+    if (isa.width == 4 && team.entrants.empty()) enter_both(std::integral_constant<int, 4>(), isa.name);
   }
   // One hierarchy stands against both of Embree's.
   team.builds = {{"medium", cost}, {"high", cost}};

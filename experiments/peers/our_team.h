@@ -4,14 +4,18 @@
 #include "experiments/peers/contestant.h"
 #include "tracer/accel/scalar.h"
 #include "tracer/intersect/moller_trumbore.h"
+#include "tracer/intersect/woop_watertight.h"
 
 namespace raysweep {
 
-/// Whose hits all others are held against.
+/// Whose hits all others are held against; robust entrants against those of the robust one.
 using OracleCore = ScalarCore<float, MollerTrumbore>;
+using RobustOracleCore = ScalarCore<float, WoopWatertight>;
 
 [[nodiscard]] OracleCore make_oracle(const Scene& scene);
+[[nodiscard]] RobustOracleCore make_robust_oracle(const Scene& scene);
 
+/// On every instruction set the fastest method and the watertight one, which is robust.
 [[nodiscard]] Team make_our_team(const Scene& scene);
 
 }  // namespace raysweep

@@ -35,7 +35,8 @@ HitBatch hits_of(Contestant& contestant) {
   return contestant.hits();
 }
 
-HitBatch oracle_hits(const OracleCore& core, const RayBatch& rays, bool any_hit) {
+template <class Core>
+HitBatch oracle_hits(const Core& core, const RayBatch& rays, bool any_hit) {
   HitBatch hits(rays.size);
   for (size_t i = 0; i < rays.size; ++i) {
     hits.t[i] = rays.t_max[i];
@@ -56,6 +57,7 @@ class SceneComparison {
       : scene_(scene),
         request_(request),
         oracle_(make_oracle(scene.scene)),
+        robust_oracle_(make_robust_oracle(scene.scene)),
         ours_(make_our_team(scene.scene)),
         embree_(embree.make_team(scene.scene, is_robust(ours_))) {}
 
@@ -77,7 +79,8 @@ class SceneComparison {
       return;
     }
     const bool any_hit = asks_any_hit(kind);
-    const auto all = duel(ours_, embree_, rays, any_hit, oracle_hits(oracle_, rays, any_hit), request_.duel);
+    const OracleHits oracle{oracle_hits(oracle_, rays, any_hit), oracle_hits(robust_oracle_, rays, any_hit)};
+    const auto all = duel(ours_, embree_, rays, any_hit, oracle, request_.duel);
     for (const DuelClass c : {DuelClass::single, DuelClass::best, DuelClass::robust}) {
       auto row = make_row(all, c, rays, any_hit);
       if (!row) continue;
@@ -94,6 +97,7 @@ class SceneComparison {
   const NamedScene& scene_;
   const PeersRequest& request_;
   OracleCore oracle_;
+  RobustOracleCore robust_oracle_;
   Team ours_, embree_;
 };
 

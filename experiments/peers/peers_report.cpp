@@ -69,8 +69,9 @@ Table rays_table(const PeersResult& result, const PeersRequest& request, const E
   table.caption = fmt::format(
       "peers: ours and Embree {}{} on the same rays, one thread; triangles alone, a ray a pixel of {} × {}; "
       "{} rounds in random order, medians; ratio: ours / Embree's by round [95 % interval]\n"
-      "single: a ray at a time, Embree's medium quality; best: the fastest of all modes; hits that differ: "
-      "between the two, ours from the oracle, Embree's from the oracle (in the same place)",
+      "single: a ray at a time, Embree's medium quality; best: the fastest of all modes; robust: of those "
+      "that promise to miss nothing at edges; hits that differ: between the two, ours from the oracle, "
+      "Embree's from the oracle (in the same place)",
       embree.version, embree.has_assertions ? " (as packaged: with assertions)" : "", request.width,
       request.height, request.duel.rounds);
   table.columns = {{"scene", false}, {"kind", false}, {"rays"},          {"class", false},

@@ -32,10 +32,10 @@ TEST(peers, gives_one_document) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_FALSE(json.is_discarded()) << result.out;
-  ASSERT_EQ(json["rows"].size(), 8u);
+  ASSERT_EQ(json["rows"].size(), 12u);
   for (const auto& row : json["rows"]) {
     EXPECT_TRUE(row["kind"] == "primary" || row["kind"] == "shadow") << row;
-    EXPECT_TRUE(row["class"] == "single" || row["class"] == "best") << row;
+    EXPECT_TRUE(row["class"] == "single" || row["class"] == "best" || row["class"] == "robust") << row;
     EXPECT_GT(row["ours_mrays"], 0);
     EXPECT_GT(row["embree_mrays"], 0);
     EXPECT_LE(row["low"], row["ratio"]);

@@ -59,5 +59,13 @@ TEST_F(DuelOf, the_best_of_a_class_stands_for_its_team) {
   EXPECT_EQ(best_of(all, true, DuelClass::robust), nullptr);
 }
 
+TEST_F(DuelOf, who_promises_edges_is_held_against_the_oracle_that_does) {
+  enter(ours, "usual", 1, true, false, 7);
+  enter(embree, "robust", 1, true, true, 7);
+  const auto all = run();
+  EXPECT_EQ(all[0].from_oracle.rays, 0u);
+  EXPECT_EQ(all[1].from_oracle.rays, ray_count);
+}
+
 }  // namespace
 }  // namespace raysweep

@@ -49,11 +49,14 @@ class DuelOf : public testing::Test {
  public:
   Team ours, embree;
   RayBatch rays{ray_count};
-  HitBatch oracle{ray_count};
+  OracleHits oracle{HitBatch(ray_count), HitBatch(ray_count)};
   std::vector<std::string> log;
   DuelOptions options{.rounds = 8, .run_seconds = 0.001, .seed = 1};
 
-  DuelOf() { std::ranges::fill(oracle.id, 7u); }
+  DuelOf() {
+    std::ranges::fill(oracle.usual.id, 7u);
+    std::ranges::fill(oracle.robust.id, 9u);
+  }
 
   void enter(Team& team, const char* name, double milliseconds, bool single, bool robust = false,
              uint32_t id = 7) {

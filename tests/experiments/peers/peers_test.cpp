@@ -5,6 +5,7 @@
 
 #include "experiments/errors.h"
 #include "tests/experiments/peers/fake_contestant.h"
+#include "tests/tracer/edge_rays.h"
 #include "tests/tracer/scene_folder.h"
 #include "tracer/scene/scenes.h"
 
@@ -48,6 +49,7 @@ TEST(peers, refuses_a_scene_without_triangles) {
 TEST(peers, our_team_finds_what_the_oracle_finds) {
   const Scene scene = triangles_alone(load_scene("chair-ball"));
   const OracleCore oracle = make_oracle(scene);
+  const RobustOracleCore robust_oracle = make_robust_oracle(scene);
   const Team team = make_our_team(scene);
   for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::mirror, RayKind::diffuse}) {
     const RayBatch rays = make_rays(kind, scene, oracle, 64, 48, 1);
@@ -56,16 +58,41 @@ TEST(peers, our_team_finds_what_the_oracle_finds) {
       entrant.contestant->reset();
       entrant.contestant->run();
       const HitBatch hits = entrant.contestant->hits();
-      for (size_t i = 0; i < rays.size; ++i) {
-        if (asks_any_hit(kind)) {
-          EXPECT_EQ(hits.id[i] != no_hit_id, oracle.occluded(rays.ray(i), rays.t_max[i]));
-        } else {
-          const auto hit = oracle.closest(rays.ray(i));
-          EXPECT_EQ(hits.id[i], hit ? hit->id : no_hit_id);
+      const auto expect_hits_of = [&](const auto& core) {
+        for (size_t i = 0; i < rays.size; ++i) {
+          if (asks_any_hit(kind)) {
+            EXPECT_EQ(hits.id[i] != no_hit_id, core.occluded(rays.ray(i), rays.t_max[i]));
+          } else {
+            const auto hit = core.closest(rays.ray(i));
+            EXPECT_EQ(hits.id[i], hit ? hit->id : no_hit_id);
+          }
         }
-      }
+      };
+      entrant.robust ? expect_hits_of(robust_oracle) : expect_hits_of(oracle);
     }
   }
+}
+
+TEST(peers, in_our_team_who_is_robust_lets_no_ray_pass_at_an_edge) {
+  std::mt19937 random(8);
+  const Scene scene = scene_of({rough_sphere(16, 16, random)});
+  const Mesh& mesh = scene.meshes[0];
+  RayBatch rays(10'000);
+  for (size_t i = 0; i < rays.size; ++i) {
+    const auto& triangle = mesh.triangles[random() % mesh.triangles.size()];
+    rays.set(i, ray_towards<float>({0.1, 0.2, 0.3}, point_on_border(mesh, triangle, random)));
+  }
+  size_t robust_count = 0;
+  const Team team = make_our_team(scene);
+  for (const Entrant& entrant : team.entrants) {
+    entrant.contestant->prepare(rays, false);
+    entrant.contestant->run();
+    const HitBatch hits = entrant.contestant->hits();
+    const bool leaks = std::ranges::count(std::span(hits.id).first(rays.size), no_hit_id) > 0;
+    EXPECT_EQ(leaks, !entrant.robust) << entrant.contestant->name();
+    robust_count += entrant.robust;
+  }
+  EXPECT_EQ(robust_count * 2, team.entrants.size()) << "each instruction set has both";
 }
 
 TEST_F(DuelOf, a_row_tells_who_is_faster_and_where_hits_differ) {
@@ -95,7 +122,7 @@ TEST_F(DuelOf, a_class_that_one_of_the_two_has_not_got_has_no_row) {
 #if RAYSWEEP_HAS_EMBREE
 TEST(peers, has_a_row_for_every_kind_and_class_and_two_builds) {
   const PeersResult result = compare_with_embree(small_request("chair-ball"), load_embree(), say_nothing);
-  EXPECT_EQ(result.rows.size(), 4u * 2) << "single and best; robust where ours has it";
+  EXPECT_EQ(result.rows.size(), 4u * 3) << "single, best and robust";
   for (const PeersRow& row : result.rows) {
     EXPECT_GT(row.ratio.value, 0);
     EXPECT_GT(row.ours_per_second, 0);
@@ -103,6 +130,9 @@ TEST(peers, has_a_row_for_every_kind_and_class_and_two_builds) {
     EXPECT_LE(row.between.rays, row.rays / 500 + 2) << "Embree may differ at edges";
     EXPECT_TRUE(row.duel_class != DuelClass::single || row.embree.find("medium single") != std::string::npos)
         << row.embree;
+    const bool is_robust = row.duel_class == DuelClass::robust;
+    EXPECT_EQ(row.ours.find("robust") != std::string::npos, is_robust) << row.ours;
+    EXPECT_EQ(row.embree.find("robust") != std::string::npos, is_robust) << row.embree;
   }
   ASSERT_EQ(result.builds.size(), 2u);
   EXPECT_EQ(result.builds[0].build_class, "medium");
@@ -124,7 +154,7 @@ TEST_F(peers_files, leaves_a_kind_without_rays_out_and_says_so) {
   ASSERT_EQ(result.left_out.size(), 3u) << "all but primary";
   for (const std::string& sentence : result.left_out)
     EXPECT_NE(sentence.find("nothing to start them at"), std::string::npos);
-  EXPECT_EQ(result.rows.size(), 2u);
+  EXPECT_EQ(result.rows.size(), 3u);
 }
 #endif
 
