@@ -43,7 +43,7 @@ RenderJob::RenderJob(const Cell& cell)
       film_(cell.settings.width, cell.settings.height),
       items_(parse_item(cell.item).value(), cell.order, cell.settings.width, cell.settings.height),
       log_(cell.threads),
-      counts_(static_cast<size_t>(cell.threads)) {
+      workers_(static_cast<size_t>(cell.threads)) {
   const Scene scene = load_scene(cell.scene, cell.lights);
   scene_hash_ = raysweep::scene_hash(scene);
   const double begin = now_seconds();
@@ -55,9 +55,9 @@ RenderJob::RenderJob(const Cell& cell)
   if (longest_first_) measure_items();
 }
 
-RenderCounts RenderJob::render_measured(size_t i) {
+RenderCounts RenderJob::render_measured(size_t i, Workspace& workspace) {
   const double begin = now_seconds();
-  const RenderCounts counts = renderer_->render(items_.tile(i), film_);
+  const RenderCounts counts = renderer_->render(items_.tile(i), film_, workspace);
   const double cost = now_seconds() - begin;
   const size_t index = items_.index(i);
   item_costs_->last[index] = static_cast<float>(cost);
@@ -67,9 +67,14 @@ RenderCounts RenderJob::render_measured(size_t i) {
 
 void RenderJob::render_items(size_t first, size_t last, int worker) {
   RenderCounts counts;
-  for (size_t i = first; i < last; ++i)
-    counts += item_costs_ ? render_measured(i) : renderer_->render(items_.tile(i), film_);
-  counts_[static_cast<size_t>(worker)].counts += counts;
+  WorkerMemory& own = workers_[static_cast<size_t>(worker)];
+  // Made by the worker itself, so that its pages are near the processor that it runs on.
+  if (!own.workspace) own.workspace = renderer_->make_workspace();
+  for (size_t i = first; i < last; ++i) {
+    counts += item_costs_ ? render_measured(i, *own.workspace)
+                          : renderer_->render(items_.tile(i), film_, *own.workspace);
+  }
+  own.counts += counts;
   // Relaxed: a count to look at, which orders nothing.
   if (watched_) watched_->fetch_add(last - first, std::memory_order_relaxed);
 }
@@ -102,14 +107,14 @@ void RenderJob::reset(LogDetail detail) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   film_.fill({nan, nan, nan});
   log_ = WorkerLog(threads_, detail);
-  for (WorkerCounts& entry : counts_) entry = {};
+  for (WorkerMemory& worker : workers_) worker.counts = {};
   if (item_costs_) std::ranges::fill(item_costs_->sum, 0);
   frames_ = 0;
 }
 
 RenderCounts RenderJob::counts() const {
   RenderCounts sum;
-  for (const WorkerCounts& entry : counts_) sum += entry.counts;
+  for (const WorkerMemory& worker : workers_) sum += worker.counts;
   return sum;
 }
 

@@ -60,12 +60,13 @@ class RenderJob {
 
  private:
   /// A cache line of its own for each worker.
-  struct alignas(128) WorkerCounts {
+  struct alignas(128) WorkerMemory {
     RenderCounts counts;
+    std::unique_ptr<Workspace> workspace;  // made with the worker's first item
   };
 
   void render_items(size_t first, size_t last, int worker);
-  RenderCounts render_measured(size_t i);
+  RenderCounts render_measured(size_t i, Workspace& workspace);
 
   /// By scanline index: the last frame's costs, and the sum over frames.
   struct ItemCosts {
@@ -87,7 +88,7 @@ class RenderJob {
   std::unique_ptr<const Renderer> renderer_;
   std::unique_ptr<Scheduler> scheduler_;
   WorkerLog log_;
-  std::vector<WorkerCounts> counts_;
+  std::vector<WorkerMemory> workers_;
   Body body_;
   std::atomic<size_t>* watched_ = nullptr;
   double build_seconds_ = 0;

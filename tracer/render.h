@@ -17,13 +17,28 @@ struct Tile {
   int x, y, width, height;
 };
 
+/// Memory that a renderer works in, kept from tile to tile: whoever renders many tiles one after the other
+/// makes it once, so that no tile waits for an allocation. Two cache lines of its own, lest what one worker
+/// counts in it slows another (prefetchers fetch lines in pairs).
+class alignas(128) Workspace {
+ public:
+  Workspace() = default;
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+  virtual ~Workspace() = default;
+};
+
 /// A scene prepared for rendering in one way: compiled geometry, hierarchy, camera, pattern. Immutable, so
-/// any number of threads may render different tiles at once.
+/// any number of threads may render different tiles at once, each with a workspace of its own.
 class Renderer {
  public:
   virtual ~Renderer() = default;
+  [[nodiscard]] virtual std::unique_ptr<Workspace> make_workspace() const = 0;
   /// Writes the tile's pixels into `film`, which must have the settings' size. One virtual call a tile.
-  virtual RenderCounts render(const Tile& tile, Film& film) const = 0;
+  /// `workspace` is of this renderer's making; no colour depends on what it has been used for before.
+  virtual RenderCounts render(const Tile& tile, Film& film, Workspace& workspace) const = 0;
+  /// The same for one tile alone.
+  RenderCounts render(const Tile& tile, Film& film) const { return render(tile, film, *make_workspace()); }
   /// Id of the primitive that the ray through the centre of pixel (x, y) meets first, or `no_hit_id`.
   [[nodiscard]] virtual uint32_t first_hit(int x, int y) const = 0;
 };

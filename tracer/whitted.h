@@ -24,9 +24,15 @@ class Whitted final : public Renderer {
     }
   }
 
-  RenderCounts render(const Tile& tile, Film& film) const override {
+  using Renderer::render;
+
+  [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override {
+    return std::make_unique<PathSpace>();
+  }
+
+  RenderCounts render(const Tile& tile, Film& film, Workspace& workspace) const override {
     RenderCounts counts;
-    typename Paths::Scratch scratch;
+    typename Paths::Scratch& scratch = static_cast<PathSpace&>(workspace).scratch;
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
       for (int x = tile.x; x < tile.x + tile.width; ++x) film.at(x, y) = pixel(x, y, counts, scratch);
     }
@@ -41,6 +47,10 @@ class Whitted final : public Renderer {
  private:
   struct Offset {
     T x, y;
+  };
+
+  struct PathSpace final : Workspace {
+    typename Paths::Scratch scratch;
   };
 
   Vec3f pixel(int x, int y, RenderCounts& counts, typename Paths::Scratch& scratch) const {

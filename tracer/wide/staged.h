@@ -29,11 +29,17 @@ class Staged final : public Renderer {
       pattern_.push_back({static_cast<float>(s.x), static_cast<float>(s.y)});
   }
 
-  RenderCounts render(const Tile& tile, Film& film) const override {
+  using Renderer::render;
+
+  [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override {
+    return std::make_unique<Work>(samples_at_once(), lighting_.light_count());
+  }
+
+  RenderCounts render(const Tile& tile, Film& film, Workspace& workspace) const override {
     const size_t pixel_count = static_cast<size_t>(tile.width) * static_cast<size_t>(tile.height);
     const size_t sample_count = pixel_count * pattern_.size();
     const size_t at_once = samples_at_once();
-    Work work(std::min(sample_count, at_once), lighting_.light_count());
+    Work& work = static_cast<Work&>(workspace);
     RenderCounts counts;
     counts.rays.primary = sample_count;
     Vec3d pixel;  // in double: of many thousand samples a float's sum drifts
@@ -90,7 +96,7 @@ class Staged final : public Renderer {
   };
 
   /// What the stages hand on, for the samples of one round.
-  struct Work {
+  struct Work final : Workspace {
     Work(size_t samples, size_t lights)
         : rays(samples),
           hits(samples),
