@@ -175,15 +175,21 @@ TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(), cl
   inset = {inset_from(edge[0]), inset_from(edge[1]), inset_from(edge[2])};
 }
 
+/// `direction`; if it is so flat that its computed cosine with `away` has the wrong sign, lifted by an ulp or
+/// two. Chosen number by number, which loops over many can do without a branch.
+template <class T>
+[[nodiscard]] Vec3<T> lifted(const Vec3<T>& direction, const Vec3<T>& away) {
+  const Vec3<T> up = direction + away * (8 * unit_roundoff<T>);
+  const bool leaves = dot(away, direction) > 0;
+  return {leaves ? direction.x : up.x, leaves ? direction.y : up.y, leaves ? direction.z : up.z};
+}
+
 /// Where a ray with `direction` starts that leaves `surface` on the side that `direction` points to,
-/// `clearance` away. A direction so flat that its computed cosine has the wrong sign is lifted by an ulp or
-/// two.
+/// `clearance` away.
 template <class T>
 [[nodiscard]] Ray<T> spawn(const Surface<T>& surface, const Vec3<T>& direction, bool same_side, T clearance) {
   const Vec3<T> away = same_side ? surface.normal : -surface.normal;
-  Ray<T> ray{surface.point + away * clearance, direction};
-  if (!(dot(away, direction) > 0)) ray.direction = direction + away * (8 * unit_roundoff<T>);
-  return ray;
+  return {surface.point + away * clearance, lifted(direction, away)};
 }
 
 }  // namespace raysweep

@@ -23,8 +23,11 @@ class View {
   }
 
   /// The ray through the point (px, py), in pixels from the picture's upper left corner.
-  [[nodiscard]] Ray<T> through(T px, T py) const {
-    return {position_, normalize(corner_ + per_pixel_x_ * px + per_pixel_y_ * py)};
+  [[nodiscard]] Ray<T> through(T px, T py) const { return {position_, towards(px, py)}; }
+  [[nodiscard]] const Vec3<T>& position() const { return position_; }
+  /// That ray's direction.
+  [[nodiscard]] Vec3<T> towards(T px, T py) const {
+    return normalize(corner_ + per_pixel_x_ * px + per_pixel_y_ * py);
   }
 
  private:

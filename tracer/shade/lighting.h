@@ -65,16 +65,16 @@ class Lighting {
   /// What a light of intensity 1 adds if nothing is in its way.
   [[nodiscard]] static Vec3<T> light(const Surfacing<T>& material, const Vec3<T>& normal,
                                      const LitRay& to_light, const Vec3<T>& from_eye) {
-    return phong(material, normal, to_light.ray.direction, to_light.cosine, from_eye);
+    return phong(material, to_light.cosine, highlight(normal, to_light.ray.direction, from_eye));
   }
 
-  [[nodiscard]] size_t light_count() const { return lights_.size(); }
-
- private:
   struct PointLight {
     Vec3<T> position, intensity;
   };
 
+  [[nodiscard]] const std::vector<PointLight>& lights() const { return lights_; }
+
+ private:
   std::vector<Surfacing<T>> materials_;
   std::vector<PointLight> lights_;
 };

@@ -32,13 +32,16 @@ template <class T>
   return incident - normal * (2 * dot(normal, incident));
 }
 
-/// What one visible light adds: diffuse and specular. `cosine` is N·L > 0; `to_light` and `from_eye` have
-/// length 1.
+/// The cosine between a light's mirrored ray and the eye. Both directions have length 1.
 template <class T>
-[[nodiscard]] Vec3<T> phong(const Surfacing<T>& material, const Vec3<T>& normal, const Vec3<T>& to_light,
-                            T cosine, const Vec3<T>& from_eye) {
+[[nodiscard]] T highlight(const Vec3<T>& normal, const Vec3<T>& to_light, const Vec3<T>& from_eye) {
+  return dot(reflect(-to_light, normal), -from_eye);
+}
+
+/// What one visible light adds: diffuse and specular. `cosine` is N·L > 0.
+template <class T>
+[[nodiscard]] Vec3<T> phong(const Surfacing<T>& material, T cosine, T highlight) {
   Vec3<T> sum = material.diffuse * cosine;
-  const T highlight = dot(reflect(-to_light, normal), -from_eye);
   if (highlight > 0) sum += material.specular * std::pow(highlight, material.exponent);
   return sum;
 }

@@ -8,6 +8,7 @@
 #include "tracer/sample/pattern.h"
 #include "tracer/scene/view.h"
 #include "tracer/shade/lighting.h"
+#include "tracer/wide/hit_points.h"
 #include "tracer/wide/kernels.h"
 
 namespace raysweep {
@@ -32,7 +33,7 @@ class Staged final : public Renderer {
   using Renderer::render;
 
   [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override {
-    return std::make_unique<Work>(samples_at_once(), lighting_.light_count());
+    return std::make_unique<Work>(samples_at_once(), lighting_.lights().size());
   }
 
   RenderCounts render(const Tile& tile, Film& film, Workspace& workspace) const override {
@@ -42,18 +43,13 @@ class Staged final : public Renderer {
     Work& work = static_cast<Work&>(workspace);
     RenderCounts counts;
     counts.rays.primary = sample_count;
+    SampleWalk generated(tile, pattern_.size()), gathered = generated;
     Vec3d pixel;  // in double: of many thousand samples a float's sum drifts
     for (size_t first = 0; first < sample_count; first += at_once) {
       const size_t count = std::min(at_once, sample_count - first);
-      generate(work, first, count, tile);
+      generate(work, count, generated);
       trace(work, counts);
-      for (size_t i = 0; i < count; ++i) {
-        pixel += Vec3d(work.colours[i]);
-        if ((first + i + 1) % pattern_.size() != 0) continue;
-        const auto [x, y] = place((first + i) / pattern_.size(), tile);
-        film.at(x, y) = Vec3f(pixel * (1.0 / static_cast<double>(pattern_.size())));
-        pixel = {};
-      }
+      gather(work, count, gathered, pixel, film);
     }
     return counts;
   }
@@ -68,14 +64,35 @@ class Staged final : public Renderer {
   /// the second cache, also where each of them sends rays to many lights.
   [[nodiscard]] size_t samples_at_once() const {
     constexpr size_t least = 64, most = 1024, shadow_rays = 4096;
-    return std::clamp(shadow_rays / std::max<size_t>(lighting_.light_count(), 1), least, most);
+    return std::clamp(shadow_rays / std::max<size_t>(lighting_.lights().size(), 1), least, most);
   }
 
   struct Offset {
     float x, y;
   };
-  struct Place {
+
+  /// Goes through a tile's samples, pixel by pixel, without dividing.
+  struct SampleWalk {
     int x, y;
+    size_t subpixel = 0;
+
+    SampleWalk(const Tile& tile, size_t subpixels)
+        : x(tile.x), y(tile.y), left_(tile.x), right_(tile.x + tile.width), subpixels_(subpixels) {}
+
+    /// Whether the next sample is another pixel's.
+    bool next() {
+      if (++subpixel < subpixels_) return false;
+      subpixel = 0;
+      if (++x == right_) {
+        x = left_;
+        y++;
+      }
+      return true;
+    }
+
+   private:
+    int left_, right_;
+    size_t subpixels_;
   };
 
   struct Path {
@@ -83,16 +100,10 @@ class Staged final : public Renderer {
     float weight;
   };
 
-  /// A path's hit with the light that it gathers.
-  struct Shaded {
-    Path path;
-    Vec3f light;
-  };
-
-  /// What a light adds to a shaded hit if nothing is in its way.
+  /// A light that a hit may see.
   struct Pending {
-    uint32_t shaded;
-    Vec3f light;
+    uint32_t hit, light;
+    float cosine, highlight;
   };
 
   /// What the stages hand on, for the samples of one round.
@@ -100,100 +111,149 @@ class Staged final : public Renderer {
     Work(size_t samples, size_t lights)
         : rays(samples),
           hits(samples),
+          points(samples),
+          lit(samples),
           shadow_rays(samples * lights),
           shadow_hits(samples * lights),
           colours(samples),
+          light(samples),
           paths(samples) {
-      shaded.reserve(samples);
+      std::ranges::fill(rays.t_max, std::numeric_limits<float>::infinity());
       pending.reserve(samples * lights);
     }
 
     RayBatch rays;  // of `paths`
     HitBatch hits;
+    HitPoints points;
+    Lit lit;
     RayBatch shadow_rays;  // of `pending`
     HitBatch shadow_hits;
     std::vector<Vec3f> colours;  // of samples
+    std::vector<Vec3f> light;    // that hits send back
     std::vector<Path> paths;
-    std::vector<Shaded> shaded;
     std::vector<Pending> pending;
     KernelScratch scratch;
   };
 
-  [[nodiscard]] static Place place(size_t pixel, const Tile& tile) {
-    const auto width = static_cast<size_t>(tile.width);
-    return {tile.x + static_cast<int>(pixel % width), tile.y + static_cast<int>(pixel / width)};
+  /// Generates the camera's rays of the next `count` samples.
+  void generate(Work& work, size_t count, SampleWalk& walk) const {
+    RayBatch& rays = work.rays;
+    rays.size = count;
+    float *const x = rays.direction_x.data(), *const y = rays.direction_y.data(),
+                 *const z = rays.direction_z.data();
+    for (size_t i = 0; i < count; ++i) {
+      const Offset& offset = pattern_[walk.subpixel];
+      x[i] = static_cast<float>(walk.x) + offset.x;
+      y[i] = static_cast<float>(walk.y) + offset.y;
+      walk.next();
+    }
+    // Points become directions in a loop of nothing else and with a view that no store can change: compilers
+    // turn it into vectors.
+    const View<float> view = view_;
+    for (size_t i = 0; i < count; ++i) {
+      const Vec3f direction = view.towards(x[i], y[i]);
+      x[i] = direction.x;
+      y[i] = direction.y;
+      z[i] = direction.z;
+    }
+    std::fill_n(rays.origin_x.begin(), count, view.position().x);
+    std::fill_n(rays.origin_y.begin(), count, view.position().y);
+    std::fill_n(rays.origin_z.begin(), count, view.position().z);
+    std::fill_n(work.colours.begin(), count, Vec3f());
+    for (size_t i = 0; i < count; ++i) work.paths[i] = {static_cast<uint32_t>(i), 1};
   }
 
-  /// Generates the camera's rays of `count` samples, the tile's `first` and following.
-  void generate(Work& work, size_t first, size_t count, const Tile& tile) const {
-    size_t subpixel = first % pattern_.size(), pixel = first / pattern_.size();
+  /// Adds the colours of `count` samples up to those of pixels; `pixel` is the one begun.
+  void gather(const Work& work, size_t count, SampleWalk& walk, Vec3d& pixel, Film& film) const {
+    const double share = 1.0 / static_cast<double>(pattern_.size());
     for (size_t i = 0; i < count; ++i) {
-      const Offset& offset = pattern_[subpixel];
-      const auto [x, y] = place(pixel, tile);
-      work.rays.set(i, view_.through(static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y));
-      work.paths[i] = {static_cast<uint32_t>(i), 1};
-      work.colours[i] = {};
-      if (++subpixel == pattern_.size()) {
-        subpixel = 0;
-        pixel++;
-      }
+      pixel += Vec3d(work.colours[i]);
+      const int x = walk.x, y = walk.y;
+      if (!walk.next()) continue;
+      film.at(x, y) = Vec3f(pixel * share);
+      pixel = {};
     }
-    work.rays.size = count;
   }
 
   /// Follows the generated rays from mirror to mirror and leaves what they bring back in `colours`.
   void trace(Work& work, RenderCounts& counts) const {
     for (int level = 1; work.rays.size > 0; ++level) {
       core_.closest(work.rays, work.hits, work.scratch);
-      shade(work, level, counts);
+      find_surfaces(work);
+      mirror(work.rays, work.points);
+      ask_lights(work, counts.rays);
       core_.occluded(work.shadow_rays, work.shadow_hits, work.scratch);
-      for (size_t i = 0; i < work.pending.size(); ++i) {
-        if (work.shadow_hits.id[i] == no_hit_id)
-          work.shaded[work.pending[i].shaded].light += work.pending[i].light;
-      }
-      for (const Shaded& s : work.shaded) work.colours[s.path.sample] += s.path.weight * s.light;
+      add_light(work);
+      go_on(work, level, counts);
     }
   }
 
-  /// Turns hits into shadow rays and the next level's rays.
-  void shade(Work& work, int level, RenderCounts& counts) const {
-    work.shaded.clear();
-    work.pending.clear();
-    work.shadow_rays.size = 0;
-    size_t next = 0;
+  /// Rays that hit nothing end; the others move to the front, each with its surface's point in place of its
+  /// origin. No later one has been read by then, and none is written over.
+  void find_surfaces(Work& work) const {
+    size_t count = 0;
     for (size_t i = 0; i < work.rays.size; ++i) {
-      Path path = work.paths[i];
-      if (work.hits.id[i] == no_hit_id) {
+      const Path path = work.paths[i];
+      const uint32_t id = work.hits.id[i];
+      if (id == no_hit_id) {
         work.colours[path.sample] += background_ * path.weight;
         continue;
       }
-      const Ray<float> mirrored = shade_hit(work, i, counts.rays);
-      const uint32_t material = core_.primitives().material(work.hits.id[i]);
-      if (end_.is_here(lighting_.material(material), level, path.weight, counts.left_out)) continue;
-      // Rays are replaced from the front: no later one has been read yet, and none is written over.
-      work.paths[next] = path;
-      work.rays.set(next++, mirrored);
-      counts.rays.reflected++;
+      const Ray<float> ray = work.rays.ray(i);
+      const Surface<float> surface = core_.primitives().surface(ray, {work.hits.t[i], id});
+      const Surfacing<float>& material = lighting_.material(core_.primitives().material(id));
+      work.rays.set(count, {surface.point, ray.direction});
+      work.points.normal.set(count, surface.normal);
+      work.points.clearance[count] = surface.clearance;
+      work.points.material[count] = &material;
+      work.light[count] = material.ambient;
+      work.paths[count++] = path;
     }
-    work.rays.size = next;
+    work.rays.size = count;
   }
 
-  /// Sends rays to the lights from the hit of ray `i`; the mirrored ray.
-  Ray<float> shade_hit(Work& work, size_t i, RayCounts& counts) const {
-    const Ray<float> ray = work.rays.ray(i);
-    const uint32_t id = work.hits.id[i];
-    const Surface<float> surface = core_.primitives().surface(ray, {work.hits.t[i], id});
-    const Surfacing<float>& material = lighting_.material(core_.primitives().material(id));
-    const Ray<float> mirrored =
-        spawn(surface, normalize(reflect(ray.direction, surface.normal)), true, surface.clearance);
-    const auto index = static_cast<uint32_t>(work.shaded.size());
-    work.shaded.push_back({work.paths[i], material.ambient});
-    lighting_.for_each_light(material, mirrored.origin, surface.normal, counts, [&](const auto& to_light) {
-      work.shadow_rays.set(work.shadow_rays.size++, to_light.ray, to_light.distance);
-      work.pending.push_back({index, to_light.intensity * Lighting<float>::light(material, surface.normal,
-                                                                                 to_light, ray.direction)});
-    });
-    return mirrored;
+  /// Sends a ray from each hit to each light in front of it: to one light after the other, so that
+  /// neighbouring rays run side by side.
+  void ask_lights(Work& work, RayCounts& counts) const {
+    work.pending.clear();
+    work.shadow_rays.size = 0;
+    for (uint32_t light = 0; light < lighting_.lights().size(); ++light) {
+      const Lit& lit = work.lit;
+      look_at_light(work.rays, work.points, lighting_.lights()[light].position, work.lit);
+      for (uint32_t i = 0; i < work.rays.size; ++i) {
+        // As in Lighting::for_each_light.
+        if (!(work.points.material[i]->answers_light && lit.cosine[i] > 0 && lit.distance[i] > 0)) continue;
+        const Ray<float> ray{work.rays.ray(i).origin, lit.to_light[i]};
+        work.shadow_rays.set(work.shadow_rays.size++, ray, lit.distance[i]);
+        work.pending.push_back({i, light, lit.cosine[i], lit.highlight[i]});
+      }
+    }
+    counts.shadow += work.pending.size();
+  }
+
+  /// Adds the lights that hits do see, each hit's in the lights' order.
+  void add_light(Work& work) const {
+    for (size_t i = 0; i < work.pending.size(); ++i) {
+      if (work.shadow_hits.id[i] != no_hit_id) continue;
+      const Pending& seen = work.pending[i];
+      work.light[seen.hit] += lighting_.lights()[seen.light].intensity *
+                              phong(*work.points.material[seen.hit], seen.cosine, seen.highlight);
+    }
+    for (size_t i = 0; i < work.rays.size; ++i)
+      work.colours[work.paths[i].sample] += work.paths[i].weight * work.light[i];
+  }
+
+  /// Leaves the mirrored rays of those paths that go on.
+  void go_on(Work& work, int level, RenderCounts& counts) const {
+    size_t count = 0;
+    for (size_t i = 0; i < work.rays.size; ++i) {
+      Path path = work.paths[i];
+      if (end_.is_here(*work.points.material[i], level, path.weight, counts.left_out)) continue;
+      work.paths[count] = path;
+      work.rays.set(count++, {work.rays.ray(i).origin, work.points.mirrored[i]});
+    }
+    counts.rays.reflected += count;
+    work.rays.size = count;
   }
 
   Core core_;
