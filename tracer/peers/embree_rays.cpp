@@ -1,59 +1,15 @@
 #include "tracer/peers/embree_rays.h"
 
-#include <embree3/rtcore.h>
-
 #include <array>
 #include <cstring>
 #include <stdexcept>
 
+#include "tracer/peers/embree_calls.h"
 #include "tracer/peers/flush_denormals.h"
 
 namespace raysweep {
 
 namespace {
-
-/// Embree's types and calls for packets of `width` rays.
-template <unsigned width>
-struct Calls;
-
-template <>
-struct Calls<1> {
-  using Ray = RTCRay;
-  using RayHit = RTCRayHit;
-  static void intersect(const int*, RTCScene s, RTCIntersectContext* c, RayHit* r) { rtcIntersect1(s, c, r); }
-  static void occluded(const int*, RTCScene s, RTCIntersectContext* c, Ray* r) { rtcOccluded1(s, c, r); }
-};
-
-template <>
-struct Calls<4> {
-  using Ray = RTCRay4;
-  using RayHit = RTCRayHit4;
-  static constexpr auto intersect = rtcIntersect4;
-  static constexpr auto occluded = rtcOccluded4;
-};
-
-template <>
-struct Calls<8> {
-  using Ray = RTCRay8;
-  using RayHit = RTCRayHit8;
-  static constexpr auto intersect = rtcIntersect8;
-  static constexpr auto occluded = rtcOccluded8;
-};
-
-template <>
-struct Calls<16> {
-  using Ray = RTCRay16;
-  using RayHit = RTCRayHit16;
-  static constexpr auto intersect = rtcIntersect16;
-  static constexpr auto occluded = rtcOccluded16;
-};
-
-/// Embree's rays must be within ± this (FLT_LARGE in its sources).
-constexpr float largest = 1.844e18f;
-
-bool is_possible(const Ray<float>& ray, float t_max) {
-  return is_finite(ray) && max_abs(ray.origin) < largest && max_abs(ray.direction) < largest && t_max >= 0;
-}
 
 /// A copy of `from`, of the same size.
 template <class T>
@@ -90,8 +46,8 @@ class Packets final : public EmbreeRays {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    trace_all(packets_, Calls<width>::intersect, scene.handle(), context);
-    trace_all(shadow_, Calls<width>::occluded, scene.handle(), context);
+    trace_all(packets_, EmbreeCalls<width>::intersect, scene.handle(), context);
+    trace_all(shadow_, EmbreeCalls<width>::occluded, scene.handle(), context);
   }
 
   [[nodiscard]] HitBatch hits(const EmbreeScene& scene) const override {
@@ -113,15 +69,15 @@ class Packets final : public EmbreeRays {
   }
 
  private:
-  using Packet = typename Calls<width>::RayHit;
-  using Shadow = typename Calls<width>::Ray;
+  using Packet = typename EmbreeCalls<width>::RayHit;
+  using Shadow = typename EmbreeCalls<width>::Ray;
 
   static RTCRayN* ray_of(Shadow& rays) { return reinterpret_cast<RTCRayN*>(&rays); }
   static RTCRayN* ray_of(Packet& rays) { return reinterpret_cast<RTCRayN*>(&rays.ray); }
   static RTCHitN* hit_of(Packet& rays) { return reinterpret_cast<RTCHitN*>(&rays.hit); }
 
   void set(size_t i, const Ray<float>& from, float t_max) {
-    if (!is_possible(from, t_max))
+    if (!is_taken_by_embree(from, t_max))
       throw std::invalid_argument("ray " + std::to_string(i) + " is none that Embree takes");
     const auto lane = static_cast<unsigned>(i % width);
     RTCRayN* const ray = any_hit_ ? ray_of(pristine_shadow_[i / width]) : ray_of(pristine_[i / width]);

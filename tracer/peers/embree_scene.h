@@ -34,7 +34,8 @@ struct EmbreeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A device and a scene of its own, so that its memory is counted apart. One thread builds and traces.
+/// A device and a scene of its own, so that its memory is counted apart. One thread builds; any number may
+/// trace.
 class EmbreeScene {
  public:
   /// Makes the device only. Throws EmbreeError where the processor has not got these instructions.

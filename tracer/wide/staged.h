@@ -14,8 +14,9 @@
 namespace raysweep {
 
 /// `Core` traces batches: `closest(rays, hits, scratch)`, `occluded(rays, hits, scratch)`, with
-/// `primitives()` that know the surface at a hit, and `closest(ray)`.
-template <class Core>
+/// `primitives()` that know the surface at a hit, and `closest(ray)`. A scratch with `begin_level` is told
+/// when rays are the camera's, level 1, or mirrored ones.
+template <class Core, class Scratch = KernelScratch>
 class Staged final : public Renderer {
  public:
   /// `more` goes to the core.
@@ -57,6 +58,11 @@ class Staged final : public Renderer {
   [[nodiscard]] uint32_t first_hit(int x, int y) const override {
     const auto hit = core_.closest(view_.through(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
     return hit ? hit->id : no_hit_id;
+  }
+
+  /// What the core keeps in a workspace of such a renderer's making.
+  [[nodiscard]] static const Scratch& scratch_of(const Workspace& workspace) {
+    return static_cast<const Work&>(workspace).scratch;
   }
 
  private:
@@ -132,7 +138,7 @@ class Staged final : public Renderer {
     std::vector<Vec3f> light;    // that hits send back
     std::vector<Path> paths;
     std::vector<Pending> pending;
-    KernelScratch scratch;
+    Scratch scratch;
   };
 
   /// Generates the camera's rays of the next `count` samples.
@@ -178,6 +184,8 @@ class Staged final : public Renderer {
   /// Follows the generated rays from mirror to mirror and leaves what they bring back in `colours`.
   void trace(Work& work, RenderCounts& counts) const {
     for (int level = 1; work.rays.size > 0; ++level) {
+      if constexpr (requires(Scratch scratch) { scratch.begin_level(level); })
+        work.scratch.begin_level(level);
       core_.closest(work.rays, work.hits, work.scratch);
       find_surfaces(work);
       mirror(work.rays, work.points);
