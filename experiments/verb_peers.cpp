@@ -14,7 +14,7 @@ namespace {
 constexpr double longest_run = 60;  // seconds
 
 struct PeersOptions {
-  std::vector<std::string> scenes, kinds;
+  std::vector<std::string> scenes, kinds, picture_modes;
   PeersRequest request;
 };
 
@@ -25,6 +25,21 @@ RayKind kind_of(const std::string& name) {
   return static_cast<RayKind>(found - ray_kind_names.begin());
 }
 
+PicturesRequest pictures_of(const PeersOptions& options) {
+  PicturesRequest pictures = options.request.pictures;
+  if (!(pictures.scale > 0 && pictures.scale <= 1)) {
+    throw RequestError(fmt::format(
+        "picture-scale = {} is out of range: a number above 0 and up to 1 is possible", pictures.scale));
+  }
+  pictures.run_seconds = options.request.duel.run_seconds;
+  pictures.seed = options.request.duel.seed;
+  if (options.picture_modes == std::vector<std::string>{"none"}) return pictures;
+  if (options.picture_modes.empty())
+    for (const Mode& mode : modes()) pictures.modes.emplace_back(mode.name);
+  for (const std::string& name : options.picture_modes) pictures.modes.emplace_back(picture_mode(name).name);
+  return pictures;
+}
+
 PeersRequest request_of(const PeersOptions& options) {
   PeersRequest request = options.request;
   request.scenes = options.scenes.empty() ? std::vector<std::string>{"chair-ball"} : options.scenes;
@@ -33,9 +48,11 @@ PeersRequest request_of(const PeersOptions& options) {
     throw RequestError(fmt::format("seconds = {} is out of range: a number from 0 to {} is possible",
                                    request.duel.run_seconds, longest_run));
   }
-  if (options.kinds.empty()) return request;
-  request.kinds.clear();
-  for (const std::string& kind : options.kinds) request.kinds.push_back(kind_of(kind));
+  if (!options.kinds.empty()) {
+    request.kinds.clear();
+    for (const std::string& kind : options.kinds) request.kinds.push_back(kind_of(kind));
+  }
+  request.pictures = pictures_of(options);
   return request;
 }
 
@@ -48,7 +65,9 @@ int run(const PeersOptions& options, bool as_json) {
   if (as_json) {
     fmt::print("{}\n", to_json(result).dump(1));
   } else {
-    fmt::print("{}\n{}", to_text(rays_table(result, request, embree)), to_text(builds_table(result)));
+    fmt::print("{}\n", to_text(rays_table(result, request, embree)));
+    if (!result.pictures.empty()) fmt::print("{}\n", to_text(pictures_table(result, request, embree)));
+    fmt::print("{}", to_text(builds_table(result)));
   }
   return exit_done;
 }
@@ -56,7 +75,8 @@ int run(const PeersOptions& options, bool as_json) {
 }  // namespace
 
 void add_peers(CommandLine& line) {
-  Command verb = add_verb(line, "peers", "our tracer against Embree on the same rays, one thread");
+  Command verb =
+      add_verb(line, "peers", "our tracer against Embree: the same rays in one thread, and whole pictures");
   static PeersOptions options;
   verb.add_option("--scene", options.scenes,
                   "a name or a file; more than one by repeating (default chair-ball)")
@@ -72,6 +92,12 @@ void add_peers(CommandLine& line) {
   verb.add_option("--seconds", options.request.duel.run_seconds,
                   "that a run takes at least, by repeating shorter ones (0.02)");
   verb.add_option("--kinds", options.kinds, "primary,shadow,mirror,diffuse: which rays (all)").by_commas();
+  verb.add_option("--picture-modes", options.picture_modes,
+                  "low,middle,hard,very_hard: of which pictures are made (all), or none")
+      .by_commas();
+  verb.add_option("--picture-scale", options.request.pictures.scale, "of their width and height (1)");
+  verb.add_option("--picture-rounds", options.request.pictures.rounds, "in each of which both make one (7)")
+      .range(6, 10000);
   verb.add_option("--seed", options.request.duel.seed, "of diffuse rays and of the order in rounds (1)");
   verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }

@@ -7,6 +7,7 @@
 #include "experiments/peers/embree_team.h"
 #include "results/statistics/statistics.h"
 #include "tracer/peers/embree_rays.h"
+#include "tracer/peers/embree_renderer.h"
 
 namespace raysweep {
 
@@ -112,12 +113,67 @@ Team make_team(const Scene& scene, bool robust) {
   return maker.team();
 }
 
+/// Primary and shadow rays go in packets as wide as the instructions, which have always been fastest, told to
+/// be coherent; for mirrored ones it depends on the scene.
+class Pictures final : public EmbreePictures {
+ public:
+  explicit Pictures(const Scene& scene) : shapes_(std::make_shared<const EmbreeShapes>(scene)) {
+    for (const std::string& isa : instruction_sets()) {
+      for (const bool high : {false, true}) {
+        const EmbreeBuild how{isa, high, false};
+        const auto built = std::make_shared<EmbreeScene>(how);
+        built->build(scene);
+        const EmbreePackets widest{isa == "avx512" ? 16u : 8u, true};
+        for (const EmbreePackets& mirrored : {widest, EmbreePackets{8, false}, EmbreePackets{1, false}})
+          ways_.push_back({how.name(), built, {widest, widest, mirrored}});
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> ways() const override {
+    std::vector<std::string> names;
+    for (const Way& way : ways_) {
+      const EmbreePackets& mirrored = way.modes.mirrored;
+      names.push_back(way.build + " " + std::to_string(way.modes.primary.width) + " coherent, mirrored " +
+                      (mirrored.width == 1 ? "single" : std::to_string(mirrored.width)) +
+                      (mirrored.coherent ? " coherent" : " incoherent"));
+    }
+    return names;
+  }
+
+  [[nodiscard]] std::unique_ptr<const Renderer> make_renderer(const Scene& scene,
+                                                              const RenderSettings& settings,
+                                                              size_t way) const override {
+    return make_embree_renderer(scene, settings,
+                                {shapes_, ways_.at(way).triangles, ways_.at(way).modes, now_seconds});
+  }
+
+  [[nodiscard]] double seconds_inside(const Workspace& workspace) const override {
+    return seconds_in_embree(workspace);
+  }
+
+ private:
+  struct Way {
+    std::string build;
+    std::shared_ptr<const EmbreeScene> triangles;
+    EmbreeModes modes;
+  };
+
+  std::shared_ptr<const EmbreeShapes> shapes_;
+  std::vector<Way> ways_;
+};
+
+std::unique_ptr<EmbreePictures> make_pictures(const Scene& scene) {
+  return std::make_unique<Pictures>(scene);
+}
+
 }  // namespace
 
 }  // namespace raysweep
 
 extern "C" [[gnu::visibility("default")]] const raysweep::EmbreeModule* raysweep_embree_module() {
   static const raysweep::EmbreeModule module{raysweep::embree_layout, raysweep::embree_version(),
-                                             raysweep::embree_has_assertions(), raysweep::make_team};
+                                             raysweep::embree_has_assertions(), raysweep::make_team,
+                                             raysweep::make_pictures};
   return &module;
 }

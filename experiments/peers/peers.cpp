@@ -101,6 +101,24 @@ class SceneComparison {
   Team ours_, embree_;
 };
 
+/// The whole scene's pictures, planes and spheres included.
+void add_pictures(const std::string& name, const PeersRequest& request, const EmbreeModule& embree,
+                  const std::function<void(const std::string&)>& say, PeersResult& result) {
+  if (request.pictures.modes.empty()) return;
+  if (has_transparency(load_scene(name))) {
+    result.left_out.push_back(
+        fmt::format("{}: no pictures: it holds glass, and those with Embree are of opaque scenes", name));
+    return;
+  }
+  say(fmt::format("{}: building for pictures", name));
+  const auto theirs = embree.make_pictures(load_scene(name));
+  for (const std::string& mode : request.pictures.modes) {
+    say(fmt::format("{}: pictures, {}", name, mode));
+    for (PictureRow& row : compare_pictures(name, mode, request.pictures, *theirs))
+      result.pictures.push_back(std::move(row));
+  }
+}
+
 }  // namespace
 
 std::optional<PeersRow> make_row(std::span<const Performance> all, DuelClass duel_class, const RayBatch& rays,
@@ -139,6 +157,8 @@ PeersResult compare_with_embree(const PeersRequest& request, const EmbreeModule&
       comparison.add_rows(kind, result);
     }
   }
+  // After all rays: what those were traced in is gone by then.
+  for (const NamedScene& scene : scenes) add_pictures(scene.name, request, embree, say, result);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "experiments/peers/duel.h"
 #include "experiments/peers/embree_team.h"
+#include "experiments/peers/pictures.h"
 #include "experiments/peers/rays.h"
 #include "results/statistics/statistics.h"
 
@@ -15,6 +16,7 @@ struct PeersRequest {
   int width = 1024, height = 768;
   std::vector<RayKind> kinds{RayKind::primary, RayKind::shadow, RayKind::mirror, RayKind::diffuse};
   DuelOptions duel;
+  PicturesRequest pictures;
 };
 
 /// The best of ours against the best of Embree's in one class, on rays of one kind.
@@ -39,7 +41,8 @@ struct PeersBuild {
 struct PeersResult {
   std::vector<PeersRow> rows;
   std::vector<PeersBuild> builds;
-  std::vector<std::string> left_out;  // kinds without rays, as sentences
+  std::vector<PictureRow> pictures;
+  std::vector<std::string> left_out;  // kinds without rays and scenes without pictures, as sentences
 };
 
 /// The row of `duel_class`, from a duel on `rays`; none where one of the two did not enter. Runs both once

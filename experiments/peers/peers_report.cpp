@@ -15,17 +15,40 @@ constexpr double mega = 1e6, mebibyte = 1024.0 * 1024.0;
 const char* name_of(RayKind kind) { return ray_kind_names[static_cast<size_t>(kind)]; }
 const char* name_of(DuelClass duel_class) { return duel_class_names[static_cast<size_t>(duel_class)]; }
 
+/// Null where there is no interval.
+void add_interval(const Estimate& ratio, nlohmann::json& json) {
+  json["low"] = json["high"] = nullptr;
+  if (!ratio.interval) return;
+  json["low"] = ratio.interval->low;
+  json["high"] = ratio.interval->high;
+}
+
 nlohmann::json to_json(const PeersRow& row) {
   nlohmann::json json{{"scene", row.scene},        {"triangles", row.triangles},
                       {"kind", name_of(row.kind)}, {"class", name_of(row.duel_class)},
                       {"ours", row.ours},          {"ours_mrays", row.ours_per_second / mega},
                       {"embree", row.embree},      {"embree_mrays", row.embree_per_second / mega},
-                      {"ratio", row.ratio.value},  {"low", nullptr},
-                      {"high", nullptr},           {"hits_differ", row.between.rays}};
-  if (row.ratio.interval) {
-    json["low"] = row.ratio.interval->low;
-    json["high"] = row.ratio.interval->high;
-  }
+                      {"ratio", row.ratio.value},  {"hits_differ", row.between.rays}};
+  add_interval(row.ratio, json);
+  return json;
+}
+
+nlohmann::json to_json(const PictureRow& row) {
+  nlohmann::json json{{"scene", row.scene},
+                      {"triangles", row.triangles},
+                      {"mode", row.mode},
+                      {"width", row.width},
+                      {"height", row.height},
+                      {"threads", row.threads},
+                      {"ours", row.ours},
+                      {"ours_fps", row.ours_per_second},
+                      {"embree", row.embree},
+                      {"embree_fps", row.embree_per_second},
+                      {"ratio", row.ratio.value},
+                      {"embree_share", row.embree_share},
+                      {"pixels_differ", row.differences.pixels},
+                      {"largest_difference", row.differences.largest}};
+  add_interval(row.ratio, json);
   return json;
 }
 
@@ -60,6 +83,7 @@ nlohmann::json to_json(const PeersResult& result) {
                       {"pictures", nlohmann::json::array()},
                       {"builds", nlohmann::json::array()}};
   for (const PeersRow& row : result.rows) json["rows"].push_back(to_json(row));
+  for (const PictureRow& row : result.pictures) json["pictures"].push_back(to_json(row));
   for (const PeersBuild& build : result.builds) json["builds"].push_back(to_json(build));
   return json;
 }
@@ -83,6 +107,30 @@ Table rays_table(const PeersResult& result, const PeersRequest& request, const E
                           significant(row.embree_per_second / mega), with_interval(row.ratio),
                           in_words(row.between), in_words(row.ours_from_oracle),
                           in_words(row.embree_from_oracle)});
+  }
+  return table;
+}
+
+Table pictures_table(const PeersResult& result, const PeersRequest& request, const EmbreeModule& embree) {
+  Table table;
+  table.caption = fmt::format(
+      "Pictures: ours, and the same tracer with Embree {}{} as its core, planes and spheres included; tiles "
+      "of {} × {} "
+      "by a counter; {} rounds in random order, medians; ratio: ours / Embree's by round [95 % interval]\n"
+      "Embree: the fastest of its ways on a part of the picture; share: of its threads' time inside Embree's "
+      "calls; "
+      "pixels that differ between the two, and by how much of a linear channel at most",
+      embree.version, embree.has_assertions ? " (as packaged: with assertions)" : "", picture_tile,
+      picture_tile, request.pictures.rounds);
+  table.columns = {{"scene", false}, {"mode", false}, {"size"},          {"threads"},
+                   {"ours", false},  {"fps"},         {"Embree", false}, {"fps"},
+                   {"ratio"},        {"share"},       {"pixels differ"}, {"at most"}};
+  for (const PictureRow& row : result.pictures) {
+    table.rows.push_back({row.scene, row.mode, fmt::format("{} × {}", row.width, row.height),
+                          std::to_string(row.threads), row.ours, significant(row.ours_per_second), row.embree,
+                          significant(row.embree_per_second), with_interval(row.ratio),
+                          percent(row.embree_share), std::to_string(row.differences.pixels),
+                          significant(row.differences.largest)});
   }
   return table;
 }

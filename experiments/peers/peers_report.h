@@ -15,6 +15,10 @@ namespace raysweep {
 [[nodiscard]] Table rays_table(const PeersResult& result, const PeersRequest& request,
                                const EmbreeModule& embree);
 
+/// Who makes whole pictures how fast, one row for each mode and count of threads.
+[[nodiscard]] Table pictures_table(const PeersResult& result, const PeersRequest& request,
+                                   const EmbreeModule& embree);
+
 /// What building took.
 [[nodiscard]] Table builds_table(const PeersResult& result);
 

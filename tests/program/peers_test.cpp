@@ -11,9 +11,23 @@ namespace {
 constexpr const char* without_embree = "there is no Embree to compare with";
 
 ProgramResult small_run(std::vector<std::string> more) {
-  std::vector<std::string> command{"peers",    "--width", "32",      "--height",       "24",
-                                   "--rounds", "6",       "--kinds", "primary,shadow", "--seconds",
-                                   "0.0005"};
+  std::vector<std::string> command{"peers",
+                                   "--width",
+                                   "32",
+                                   "--height",
+                                   "24",
+                                   "--rounds",
+                                   "6",
+                                   "--kinds",
+                                   "primary,shadow",
+                                   "--seconds",
+                                   "0.0005",
+                                   "--picture-modes",
+                                   "middle",
+                                   "--picture-scale",
+                                   "0.05",
+                                   "--picture-rounds",
+                                   "6"};
   command.insert(command.end(), more.begin(), more.end());
   return run_program(command);
 }
@@ -42,15 +56,23 @@ TEST(peers, gives_one_document) {
     EXPECT_GE(row["high"], row["ratio"]);
     EXPECT_TRUE(row["hits_differ"].is_number_unsigned()) << row;
   }
-  EXPECT_EQ(json["pictures"], nlohmann::json::array());
+  ASSERT_EQ(json["pictures"].size(), 2u) << "chair-ball's: one thread and two";
+  for (const auto& picture : json["pictures"]) {
+    EXPECT_EQ(picture["scene"], "chair-ball");
+    EXPECT_EQ(picture["width"], 40);
+    EXPECT_LE(picture["low"], picture["ratio"]);
+    EXPECT_GT(picture["embree_share"], 0);
+    EXPECT_LT(picture["embree_share"], 1);
+  }
+  EXPECT_NE(result.err.find("cornell-glass: no pictures: it holds glass"), std::string::npos) << result.err;
   EXPECT_EQ(json["builds"].size(), 4u);
 }
 
-TEST(peers, prints_two_tables) {
+TEST(peers, prints_three_tables) {
   if (!RAYSWEEP_HAS_EMBREE) GTEST_SKIP() << without_embree;
   const ProgramResult result = small_run({});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  for (const char* words : {"one thread", "chair-ball", "Mrays/s", "Builds: "})
+  for (const char* words : {"one thread", "chair-ball", "Mrays/s", "Pictures: ", "Builds: "})
     EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
 }
 
@@ -65,6 +87,10 @@ TEST(peers, refuses_what_it_cannot_compare) {
       {{"--rounds", "5"}, "--rounds"},
       {{"--width", "0"}, "--width"},
       {{"--seconds", "nan"}, "seconds = nan is out of range: a number from 0 to 60 is possible"},
+      {{"--picture-modes", "huge"}, "no pictures of mode \"huge\"; possible: low, middle, hard, very_hard"},
+      {{"--picture-scale", "0"},
+       "picture-scale = 0 is out of range: a number above 0 and up to 1 is possible"},
+      {{"--picture-rounds", "5"}, "--picture-rounds"},
       {{"--scene", "chair-bell"}, "no scene \"chair-bell\""},
       {{"--scene", no_triangles}, "has no triangles, and peers compares triangles alone"}};
   for (const auto& [arguments, sentence] : wrong) {

@@ -140,6 +140,35 @@ TEST(peers, has_a_row_for_every_kind_and_class_and_two_builds) {
   for (const PeersBuild& build : result.builds) EXPECT_GT(build.embree.bytes, 100'000u);
 }
 
+TEST(peers, makes_pictures_in_every_mode_that_is_asked_for_with_one_thread_and_with_two) {
+  PeersRequest request = small_request("chair-ball");
+  request.kinds = {};
+  request.pictures = {.modes = {"low", "hard"}, .scale = 0.1, .rounds = 6, .run_seconds = 1e-4, .seed = 1};
+  const PeersResult result = compare_with_embree(request, load_embree(), say_nothing);
+  ASSERT_EQ(result.pictures.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
+    const PictureRow& row = result.pictures[i];
+    EXPECT_EQ(row.mode, i < 2 ? "low" : "hard");
+    EXPECT_EQ(row.threads, i % 2 == 0 ? 1 : 2);
+    EXPECT_EQ(row.width, i < 2 ? 51 : 102) << "a tenth, rounded";
+    EXPECT_GT(row.ours_per_second, 0);
+    EXPECT_LE(row.ratio.interval->low, row.ratio.value);
+    EXPECT_GT(row.embree_share, 0);
+    EXPECT_LT(row.embree_share, 1);
+    EXPECT_LE(row.differences.pixels, 5u) << "Embree may differ at edges";
+  }
+}
+
+TEST(peers, leaves_pictures_of_glass_out_and_says_so) {
+  PeersRequest request = small_request("cornell-glass");
+  request.kinds = {};
+  request.pictures.modes = {"low"};
+  const PeersResult result = compare_with_embree(request, load_embree(), say_nothing);
+  EXPECT_TRUE(result.pictures.empty());
+  ASSERT_EQ(result.left_out.size(), 1u);
+  EXPECT_NE(result.left_out[0].find("cornell-glass: no pictures: it holds glass"), std::string::npos);
+}
+
 using peers_files = SceneFolder;
 
 /// Two triangles in opposite corners: the middle of the picture is empty.
