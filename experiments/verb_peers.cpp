@@ -95,7 +95,7 @@ void add_peers(CommandLine& line) {
   verb.add_option("--picture-modes", options.picture_modes,
                   "low,middle,hard,very_hard: of which pictures are made (all), or none")
       .by_commas();
-  verb.add_option("--picture-scale", options.request.pictures.scale, "of their width and height (1)");
+  verb.add_option("--picture-scale", options.request.pictures.scale, "of their width and height (0.5)");
   verb.add_option("--picture-rounds", options.request.pictures.rounds, "in each of which both make one (7)")
       .range(6, 10000);
   verb.add_option("--seed", options.request.duel.seed, "of diffuse rays and of the order in rounds (1)");

@@ -11,7 +11,7 @@ namespace raysweep {
 
 struct PicturesRequest {
   std::vector<std::string> modes;  // names of modes(); none: no pictures
-  double scale = 1;                // of the modes' width and height
+  double scale = 0.5;              // of the modes' width and height
   int rounds = 7;                  // in each of which both make a picture; fewer than six have no interval
   double run_seconds = 0.02;       // quicker pictures are made again until they have taken about as long
   uint64_t seed = 1;               // of the order in each round
