@@ -25,7 +25,14 @@ void* operator new(size_t bytes, std::align_val_t alignment) {
   const auto to = static_cast<size_t>(alignment);
   return allocated(std::aligned_alloc(to, (bytes + to - 1) / to * to));
 }
+// Sanitizers have one of their own, which does not lead to the first: std::stable_sort asks for its buffer
+// so.
+void* operator new(size_t bytes, const std::nothrow_t&) noexcept {
+  allocation_count++;
+  return std::malloc(bytes);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory, size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, size_t, std::align_val_t) noexcept { std::free(memory); }
