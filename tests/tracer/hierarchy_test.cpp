@@ -3,28 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <random>
 #include <set>
 
+#include "tests/tracer/scattered_boxes.h"
 #include "tracer/accel/build_by_name.h"
 
 namespace raysweep {
 namespace {
-
-Box<float> box_at(float x, float y, float z, float size = 0.01f) {
-  Box<float> box;
-  box.include({x, y, z});
-  box.include({x + size, y + size, z + size});
-  return box;
-}
-
-std::vector<Box<float>> scattered(int count) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> uniform(-1, 1);
-  std::vector<Box<float>> items;
-  for (int i = 0; i < count; ++i) items.push_back(box_at(uniform(random), uniform(random), uniform(random)));
-  return items;
-}
 
 bool encloses(const Box<float>& outer, const Box<float>& inner) {
   return min(outer.lower(), inner.lower()) == outer.lower() &&
@@ -53,12 +38,6 @@ int check(const Hierarchy<float>& tree, const std::vector<Box<float>>& items) {
       << "an item stands in two leaves";
   EXPECT_LE(depth, max_hierarchy_depth);
   return depth;
-}
-
-uint32_t largest_leaf(const Hierarchy<float>& tree) {
-  uint32_t largest = 0;
-  for (const Node<float>& node : tree.nodes) largest = std::max(largest, node.count);
-  return largest;
 }
 
 class Builder : public testing::TestWithParam<const char*> {
@@ -99,6 +78,15 @@ TEST_P(Builder, a_cascade_of_ever_smaller_items_stays_within_the_depth_bound) {
   check(build(items, 1), items);
 }
 
+TEST_P(Builder, boxes_so_large_that_areas_overflow_still_keep_the_promises) {
+  auto items = scattered(1000);
+  for (Box<float>& item : items)
+    for (Vec3<float>& corner : item.bounds) corner = corner * 1e37f;
+  const auto tree = build(items, 4);
+  check(tree, items);
+  EXPECT_LE(largest_leaf(tree), 4u);
+}
+
 TEST(median, one_leaf_holds_the_scene_when_it_may) {
   const auto tree = build_median<float>(scattered(1000), 1000);
   EXPECT_EQ(tree.nodes.size(), 1u);
@@ -113,16 +101,6 @@ TEST(median, the_longest_axis_is_halved_in_the_middle_of_the_box) {
   ASSERT_EQ(tree.nodes.size(), 3u);
   EXPECT_EQ(tree.nodes[1].count, 9u);
   EXPECT_EQ(tree.nodes[2].count, 1u);
-}
-
-TEST(sah, splits_a_leaf_that_may_stay_whole_where_that_is_cheaper) {
-  // Two far clusters: one node of 8 costs 8 tests, two of 4 cost about 4.
-  std::vector<Box<float>> items;
-  for (int i = 0; i < 4; ++i) {
-    items.push_back(box_at(0.02f * static_cast<float>(i), 0, 0));
-    items.push_back(box_at(100 + 0.02f * static_cast<float>(i), 0, 0));
-  }
-  EXPECT_LE(largest_leaf(build_sah<float>(items, 8)), 4u);
 }
 
 }  // namespace

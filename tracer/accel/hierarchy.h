@@ -36,8 +36,10 @@ template <class T>
 [[nodiscard]] Hierarchy<T> build_median(std::span<const Box<T>> items, int leaf_size);
 
 /// The surface area heuristic in bins (Wald 2007, "On fast construction of SAH-based bounding volume
-/// hierarchies"): at most `leaf_size` items a leaf, fewer where splitting is cheaper.
+/// hierarchies"): at most `leaf_size` items a leaf, fewer where splitting is cheaper; items whose centres all
+/// coincide stay together in one leaf. `block` items, a power of two, are tested at once and cost as much as
+/// one.
 template <class T>
-[[nodiscard]] Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size);
+[[nodiscard]] Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size, int block = 1);
 
 }  // namespace raysweep

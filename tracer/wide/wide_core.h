@@ -88,11 +88,12 @@ class WideCore {
 
  private:
   [[nodiscard]] WideTree<width> build(const std::string& accel, int leaf_size) const {
-    // The collapse decides itself what is a leaf, so it is handed single items. Others are studied for their
-    // leaves.
+    // The collapse decides itself what is a leaf, so it is handed small ones: to split those further takes
+    // time and gains nothing. Others are studied for their leaves.
+    constexpr int small_leaf = width * 3 / 4;
     const bool merges_leaves = accel == "sah";
-    const Hierarchy<float> binary =
-        build_by_name<float>(accel, primitives_.boxes(), merges_leaves ? 1 : leaf_size);
+    const Hierarchy<float> binary = build_by_name<float>(
+        accel, primitives_.boxes(), merges_leaves ? small_leaf : leaf_size, merges_leaves ? width : 1);
     return collapse<width>(binary, primitives_.boxes(),
                            {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves});
   }
