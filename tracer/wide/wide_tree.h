@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/accel/hierarchy.h"
+#include "tracer/for_each.h"
 #include "tracer/ray_batch.h"
 
 namespace raysweep {
@@ -64,9 +65,11 @@ struct CollapseOptions {
 /// The cheapest way to pull children of a binary hierarchy up into nodes of `width` and to end in leaves
 /// (Ylitie, Karras & Laine 2017, "Efficient incoherent ray traversal on GPUs through compressed wide BVHs",
 /// section 3.1: dynamic programming over the surface area heuristic). Leaves hold either triangles or
-/// spheres. `boxes` are the items'; an empty `hierarchy` gives one leaf of all of them.
+/// spheres. `boxes` are the items'; an empty `hierarchy` gives one leaf of all of them. `for_each` shares the
+/// work.
 template <int width>
 [[nodiscard]] WideTree<width> collapse(const Hierarchy<float>& hierarchy, std::span<const Box<float>> boxes,
-                                       const CollapseOptions& options);
+                                       const CollapseOptions& options,
+                                       const ForEach& for_each = one_after_the_other);
 
 }  // namespace raysweep
