@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(all, Builder, testing::Values("median", "sah"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(Builder, every_item_is_in_one_leaf_inside_its_boxes) {
-  for (const int count : {1, 2, 3, 10, 1000}) {
+  for (const int count : {1, 2, 3, 10, 1000, 20'000}) {
     for (const int leaf_size : {1, 4, 17, 5000}) {
       const auto items = scattered(count);
       const auto tree = build(items, leaf_size);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "tests/tracer/scattered_boxes.h"
+#include "tests/tracer/shared_work.h"
 #include "tracer/accel/primitives.h"
 #include "tracer/intersect/moller_trumbore.h"
 #include "tracer/scene/scenes.h"
@@ -65,7 +66,7 @@ class FullSweep {
   size_t leaf_size_;
 };
 
-void expect_cost_of_a_full_sweep(const std::vector<Box<float>>& items) {
+void expect_cost_of_a_full_sweep(std::span<const Box<float>> items) {
   std::vector<uint32_t> all(items.size());
   std::iota(all.begin(), all.end(), 0u);
   Box<float> root;
@@ -81,6 +82,22 @@ TEST(sah, bins_cost_as_little_as_a_full_sweep) {
     const Primitives<float, MollerTrumbore> primitives(load_scene(scene));
     SCOPED_TRACE(scene);
     expect_cost_of_a_full_sweep(primitives.boxes());
+  }
+}
+
+TEST(sah, the_tree_is_the_same_whoever_shares_the_work) {
+  const auto items = scattered(40'000);  // several chunks and subtrees
+  const auto tree = build_sah<float>(items, 4);
+  for (const ForEach& for_each : {ForEach(backwards), ForEach(by_threads)}) {
+    const auto other = build_sah<float>(items, 4, 1, for_each);
+    EXPECT_EQ(other.order, tree.order);
+    ASSERT_EQ(other.nodes.size(), tree.nodes.size());
+    for (size_t i = 0; i < tree.nodes.size(); ++i) {
+      EXPECT_EQ(other.nodes[i].first, tree.nodes[i].first);
+      EXPECT_EQ(other.nodes[i].count, tree.nodes[i].count);
+      EXPECT_EQ(other.nodes[i].box.lower(), tree.nodes[i].box.lower());
+      EXPECT_EQ(other.nodes[i].box.upper(), tree.nodes[i].box.upper());
+    }
   }
 }
 

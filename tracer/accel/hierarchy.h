@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "tracer/for_each.h"
 #include "tracer/math/box.h"
 
 namespace raysweep {
@@ -38,8 +39,9 @@ template <class T>
 /// The surface area heuristic in bins (Wald 2007, "On fast construction of SAH-based bounding volume
 /// hierarchies"): at most `leaf_size` items a leaf, fewer where splitting is cheaper; items whose centres all
 /// coincide stay together in one leaf. `block` items, a power of two, are tested at once and cost as much as
-/// one.
+/// one. `for_each` shares the work.
 template <class T>
-[[nodiscard]] Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size, int block = 1);
+[[nodiscard]] Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size, int block = 1,
+                                     const ForEach& for_each = one_after_the_other);
 
 }  // namespace raysweep

@@ -1,14 +1,17 @@
 // A scene's shapes in one precision, prepared for one intersection method, under one numbering.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tracer/accel/hit.h"
 #include "tracer/accel/surface.h"
+#include "tracer/for_each.h"
 #include "tracer/intersect/intersector.h"
 #include "tracer/intersect/plane.h"
 #include "tracer/intersect/sphere.h"
 #include "tracer/scene/scene.h"
+#include "tracer/unset_memory.h"
 
 namespace raysweep {
 
@@ -20,14 +23,15 @@ class Primitives {
  public:
   using Prepared = typename Method::template Prepared<T>;
 
-  explicit Primitives(const Scene& scene);
+  /// `for_each` shares the work.
+  explicit Primitives(const Scene& scene, const ForEach& for_each = one_after_the_other);
 
   [[nodiscard]] uint32_t first_sphere() const { return static_cast<uint32_t>(planes_.size()); }
   [[nodiscard]] uint32_t first_triangle() const {
     return static_cast<uint32_t>(planes_.size() + spheres_.size());
   }
   [[nodiscard]] uint32_t count() const { return first_sphere() + static_cast<uint32_t>(boxes_.size()); }
-  [[nodiscard]] const std::vector<Box<T>>& boxes() const { return boxes_; }
+  [[nodiscard]] std::span<const Box<T>> boxes() const { return boxes_; }
   [[nodiscard]] uint32_t material(uint32_t id) const { return materials_[id]; }
   /// Whether a ray can meet this primitive in two places.
   [[nodiscard]] bool is_met_twice(uint32_t id) const { return id >= first_sphere() && id < first_triangle(); }
@@ -107,12 +111,14 @@ class Primitives {
     return held;
   }
 
+  void set_triangles(const Mesh& mesh, size_t begin, size_t end, size_t first);
+
   std::vector<PlaneShape<T>> planes_;
   std::vector<SphereShape<T>> spheres_;
-  std::vector<TriangleShape<T>> triangles_;
-  std::vector<Prepared> prepared_;
-  std::vector<Box<T>> boxes_;
-  std::vector<uint32_t> materials_;  // of each primitive
+  UnsetVector<TriangleShape<T>> triangles_;
+  UnsetVector<Prepared> prepared_;
+  UnsetVector<Box<T>> boxes_;
+  UnsetVector<uint32_t> materials_;  // of each primitive
 };
 
 /// By how much of their largest coordinate boxes are grown: computed hits stray a few units in the last place
@@ -131,7 +137,7 @@ template <class T>
 }
 
 template <class T, class Method>
-Primitives<T, Method>::Primitives(const Scene& scene) {
+Primitives<T, Method>::Primitives(const Scene& scene, const ForEach& for_each) {
   for (const Plane& p : scene.planes) {
     planes_.emplace_back(p);
     materials_.push_back(p.material);
@@ -146,18 +152,43 @@ Primitives<T, Method>::Primitives(const Scene& scene) {
     boxes_.push_back(padded(box));
     materials_.push_back(s.material);
   }
+  constexpr size_t chunk_size = 4096;  // takes a tenth of a millisecond
+  struct Chunk {
+    const Mesh* mesh;
+    size_t begin, first;  // in the mesh, of all triangles
+  };
+  std::vector<Chunk> chunks;
+  size_t count = 0;
   for (const Mesh& mesh : scene.meshes) {
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const Triangle<T> t{Vec3<T>(mesh.vertices[a]), Vec3<T>(mesh.vertices[b]), Vec3<T>(mesh.vertices[c])};
-      Box<T> box;
-      box.include(t.a);
-      box.include(t.b);
-      box.include(t.c);
-      prepared_.push_back(Method::template prepare<T>(t));
-      triangles_.emplace_back(t);
-      boxes_.push_back(padded(box));
-      materials_.push_back(mesh.material);
-    }
+    for (size_t begin = 0; begin < mesh.triangles.size(); begin += chunk_size)
+      chunks.push_back({&mesh, begin, count + begin});
+    count += mesh.triangles.size();
+  }
+  prepared_.resize(count);
+  triangles_.resize(count);
+  boxes_.resize(spheres_.size() + count);
+  materials_.resize(first_triangle() + count);
+  for_each(chunks.size(), [&](size_t i) {
+    const auto& [mesh, begin, first] = chunks[i];
+    set_triangles(*mesh, begin, std::min(begin + chunk_size, mesh->triangles.size()), first);
+  });
+}
+
+/// The triangles `begin … end` of `mesh`; the first of them is number `first` of all.
+template <class T, class Method>
+void Primitives<T, Method>::set_triangles(const Mesh& mesh, size_t begin, size_t end, size_t first) {
+  for (size_t i = begin; i < end; ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const Triangle<T> t{Vec3<T>(mesh.vertices[a]), Vec3<T>(mesh.vertices[b]), Vec3<T>(mesh.vertices[c])};
+    Box<T> box;
+    box.include(t.a);
+    box.include(t.b);
+    box.include(t.c);
+    const size_t at = first + i - begin;
+    prepared_[at] = Method::template prepare<T>(t);
+    triangles_[at] = TriangleShape<T>(t);
+    boxes_[spheres_.size() + at] = padded(box);
+    materials_[first_triangle() + at] = mesh.material;
   }
 }
 

@@ -127,22 +127,40 @@ struct Bins {
     }
   }
   /// Neighbours often fall into one bin, where each would wait for the one before it: so the four quarters
-  /// take turns.
-  void add(std::span<const Reference<T>> references, const BinMapping<T>& mapping) {
+  /// take turns, and where there are many, in bins of their own.
+  void add(std::span<const Reference<T>> references, const BinMapping<T>& shared) {
+    const BinMapping<T> mapping = shared;  // kept in registers: nothing written here can be part of it
+    constexpr size_t many = 1024;
     const size_t quarter = references.size() / 4;
     const Reference<T>* reference = references.data();
-    for (size_t i = 0; i < quarter; ++i, ++reference)
-      for (size_t turn = 0; turn < 4; ++turn) add(reference[turn * quarter], mapping);
+    if (quarter * 4 < many) {
+      for (size_t i = 0; i < quarter; ++i, ++reference)
+        for (size_t turn = 0; turn < 4; ++turn) add(reference[turn * quarter], mapping);
+    } else {
+      Bins others[3]{Bins(most_bins), Bins(most_bins), Bins(most_bins)};
+      for (size_t i = 0; i < quarter; ++i, ++reference) {
+        add(reference[0], mapping);
+        for (size_t turn = 1; turn < 4; ++turn) others[turn - 1].add(reference[turn * quarter], mapping);
+      }
+      for (const Bins& other : others) add(other, mapping.count);
+    }
     for (const Reference<T>& rest : references.subspan(4 * quarter)) add(rest, mapping);
+  }
+  void add(const Bins& other, int used) {
+    for (int b = 0; b < used; ++b) {
+      for (int axis = 0; axis < 3; ++axis) box[axis][b].include(other.box[axis][b]);
+      count[b] += other.count[b];
+    }
   }
 };
 
-/// Copies those left of `plane` to `left` and the others to `right`, in their order. Without branches: they
-/// would be guessed wrong half of the time.
+/// Copies those left of `plane` to `left` and the others to `right`, in their order; how many are left.
+/// Without branches: they would be guessed wrong half of the time.
 template <class T>
-void partition(std::span<const Reference<T>> references, const BinMapping<T>& mapping, int axis, int plane,
-               Reference<T>* left, Reference<T>* right) {
+size_t partition(std::span<const Reference<T>> references, const BinMapping<T>& mapping, int axis, int plane,
+                 Reference<T>* left, Reference<T>* right) {
   const T from = static_cast<T>(plane);
+  Reference<T>* const begin = left;
   std::ptrdiff_t gap = right - left;
   for (const Reference<T>& reference : references) {
     const auto is_right = static_cast<std::ptrdiff_t>(mapping.is_right(reference, axis, from));
@@ -150,6 +168,7 @@ void partition(std::span<const Reference<T>> references, const BinMapping<T>& ma
     left += 1 - is_right;
     gap += 2 * is_right - 1;
   }
+  return static_cast<size_t>(left - begin);
 }
 
 }  // namespace raysweep

@@ -1,153 +1,222 @@
-#include <bit>
-#include <memory>
-
-#include "tracer/accel/hierarchy.h"
-#include "tracer/accel/split_plane.h"
+#include "tracer/accel/parts.h"
 
 namespace raysweep {
 
 namespace {
 
-// Cost of visiting a node, in triangle tests: both read one cache line and do about twenty operations.
-constexpr int node_cost = 1;
+/// Many references are looked at in pieces of this many: enough to make handing out cheap, and they stay in
+/// the nearest caches.
+constexpr uint32_t chunk_size = 4096;
 
-/// A node to be: its references are `begin … end` of one of two buffers.
+/// References of one part that one body works on, with what it finds.
 template <class T>
-struct Part {
-  LaneBox<T> box, centres;
+struct Chunk {
+  size_t part;  // its index in the level
   uint32_t begin, end;
-  int depth;
-  size_t buffer;
-  uint32_t node = 0;
-  [[nodiscard]] uint32_t count() const { return end - begin; }
+  Bins<T> bins{most_bins};
+  uint32_t left_begin = 0, right_begin = 0;
+  LaneBox<T> left = LaneBox<T>::empty(), right = LaneBox<T>::empty();  // of centres
+};
+
+/// One part of the top of the tree that is being split, together with all others of its depth.
+template <class T>
+struct Cut {
+  Part<T> part, left, right;
+  BinMapping<T> mapping;
+  Bins<T> bins{most_bins};
+  std::optional<SplitPlane<T>> plane;
+
+  explicit Cut(const Part<T>& whole) : part(whole), mapping(Parts<T>::mapping(whole)) {}
+  [[nodiscard]] bool is_split() const { return plane && plane->cost < Box<T>::inf; }
 };
 
 template <class T>
 class Builder {
  public:
-  Builder(std::span<const Box<T>> items, int leaf_size, int block)
-      : items_(items),
-        leaf_size_(static_cast<uint32_t>(leaf_size)),
-        block_shift_(std::countr_zero(static_cast<uint32_t>(block))) {
-    for (auto& buffer : buffers_) buffer = std::make_unique_for_overwrite<Reference<T>[]>(items.size());
+  Builder(std::span<const Box<T>> items, int leaf_size, int block, const ForEach& for_each)
+      : items_(items), for_each_(for_each), parts_(items.size(), leaf_size, block) {
     tree_.order.resize(items.size());
+    tree_.nodes.emplace_back();
   }
 
   [[nodiscard]] Hierarchy<T> run() {
-    Part<T> root = part_of(0, static_cast<uint32_t>(items_.size()), 0, 0);
-    const auto references = of(root);
-    for (uint32_t i = 0; i < root.end; ++i) {
-      references[i].set(items_[i], i);
-      root.box.include(references[i].lower, references[i].upper);
+    constexpr size_t enough_subtrees = 64;
+    const auto subtree_size =
+        std::max<uint32_t>(chunk_size, static_cast<uint32_t>(items_.size() / enough_subtrees));
+    std::vector<Part<T>> level{root()};
+    while (!level.empty()) {
+      std::vector<Cut<T>> cuts;
+      for (const Part<T>& part : level) {
+        if (part.count() > subtree_size && parts_.takes_a_plane(part)) {
+          cuts.emplace_back(part);
+        } else {
+          subtrees_.push_back(part);
+        }
+      }
+      level = split_all(cuts);
     }
-    root.centres = bounds_of_centres<T>(references);
-    build(root);
+    build_subtrees();
     return std::move(tree_);
   }
 
  private:
-  using References = std::span<Reference<T>>;
-
-  [[nodiscard]] static Part<T> part_of(uint32_t begin, uint32_t end, int depth, size_t buffer) {
-    return {LaneBox<T>::empty(), LaneBox<T>::empty(), begin, end, depth, buffer};
+  [[nodiscard]] Part<T> root() {
+    const auto count = static_cast<uint32_t>(items_.size());
+    Part<T> root = Part<T>::of(0, count, 0, 0);
+    std::vector<Part<T>> pieces;
+    for (uint32_t begin = 0; begin < count; begin += chunk_size)
+      pieces.push_back(Part<T>::of(begin, std::min(count, begin + chunk_size), 0, 0));
+    for_each_(pieces.size(), [&](size_t i) {
+      Part<T>& piece = pieces[i];
+      const auto references = parts_.references(piece);
+      for (uint32_t k = 0; k < piece.count(); ++k) {
+        references[k].set(items_[piece.begin + k], piece.begin + k);
+        piece.box.include(references[k].lower, references[k].upper);
+      }
+      piece.centres = bounds_of_centres<T>(references);
+    });
+    for (const Part<T>& piece : pieces) {
+      root.box.include(piece.box);
+      root.centres.include(piece.centres);
+    }
+    return root;
   }
-  [[nodiscard]] References of(const Part<T>& part) const {
-    return {buffers_[part.buffer].get() + part.begin, part.count()};
+
+  /// The parts of the next level. Those that no plane splits become subtrees, which know what to do.
+  [[nodiscard]] std::vector<Part<T>> split_all(std::vector<Cut<T>>& cuts) {
+    std::vector<Chunk<T>> chunks;
+    for (size_t i = 0; i < cuts.size(); ++i) {
+      const Part<T>& part = cuts[i].part;
+      for (uint32_t begin = part.begin; begin < part.end; begin += chunk_size)
+        chunks.push_back({i, begin, std::min(part.end, begin + chunk_size)});
+    }
+    for_each_(chunks.size(), [&](size_t i) {
+      Chunk<T>& chunk = chunks[i];
+      chunk.bins.add(references(chunk, cuts), cuts[chunk.part].mapping);
+    });
+    for (const Chunk<T>& chunk : chunks) cuts[chunk.part].bins.add(chunk.bins, most_bins);
+    for (Cut<T>& cut : cuts) choose_plane(cut);
+    place(chunks, cuts);
+    for_each_(chunks.size(), [&](size_t i) { move(chunks[i], cuts); });
+    for (const Chunk<T>& chunk : chunks) {
+      cuts[chunk.part].left.centres.include(chunk.left);
+      cuts[chunk.part].right.centres.include(chunk.right);
+    }
+    std::vector<Part<T>> next;
+    for (Cut<T>& cut : cuts) {
+      if (cut.is_split()) add_children(cut.part, cut.left, cut.right, tree_.nodes, next);
+    }
+    return next;
   }
 
-  void build(const Part<T>& root) {
+  [[nodiscard]] std::span<Reference<T>> references(const Chunk<T>& chunk, const std::vector<Cut<T>>& cuts) {
+    const Part<T>& part = cuts[chunk.part].part;
+    return parts_.references(part).subspan(chunk.begin - part.begin, chunk.end - chunk.begin);
+  }
+
+  void choose_plane(Cut<T>& cut) {
+    cut.plane = parts_.plane(cut.part, cut.bins, cut.mapping.count);
+    if (cut.is_split()) {
+      parts_.divide(cut.part, *cut.plane, cut.left, cut.right);
+    } else {
+      subtrees_.push_back(cut.part);
+    }
+  }
+
+  /// Where the references of each chunk go: behind those of the chunks before it.
+  static void place(std::vector<Chunk<T>>& chunks, const std::vector<Cut<T>>& cuts) {
+    uint32_t left = 0, right = 0;
+    for (Chunk<T>& chunk : chunks) {
+      const Cut<T>& cut = cuts[chunk.part];
+      if (!cut.is_split()) continue;
+      if (chunk.begin == cut.part.begin) left = right = 0;
+      chunk.left_begin = left;
+      chunk.right_begin = right;
+      uint32_t here = 0;
+      for (int b = 0; b < cut.plane->bin; ++b)
+        here += static_cast<uint32_t>(chunk.bins.count[b][cut.plane->axis]);
+      left += here;
+      right += chunk.end - chunk.begin - here;
+    }
+  }
+
+  void move(Chunk<T>& chunk, const std::vector<Cut<T>>& cuts) {
+    const Cut<T>& cut = cuts[chunk.part];
+    if (!cut.is_split()) return;
+    Reference<T>* const left = parts_.references(cut.left).data() + chunk.left_begin;
+    Reference<T>* const right = parts_.references(cut.right).data() + chunk.right_begin;
+    const size_t left_count =
+        partition<T>(references(chunk, cuts), cut.mapping, cut.plane->axis, cut.plane->bin, left, right);
+    chunk.left = bounds_of_centres<T>(std::span(left, left_count));
+    chunk.right = bounds_of_centres<T>(std::span(right, chunk.end - chunk.begin - left_count));
+  }
+
+  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, auto& nodes,
+                           std::vector<Part<T>>& to) {
+    nodes[part.node].box = part.box.box();
+    nodes[part.node].first = left.node = static_cast<uint32_t>(nodes.size());
+    right.node = left.node + 1;
+    to.push_back(right);
+    to.push_back(left);
+    nodes.resize(nodes.size() + 2);
+  }
+
+  void build_subtrees() {
+    std::vector<std::vector<Node<T>>> nodes(subtrees_.size());
+    for_each_(nodes.size(), [&](size_t i) { nodes[i] = build_subtree(subtrees_[i]); });
+    std::vector<uint32_t> first(nodes.size());
+    size_t total = tree_.nodes.size();
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      first[i] = static_cast<uint32_t>(total);
+      total += nodes[i].size() - 1;
+    }
+    tree_.nodes.resize(total);
+    for_each_(nodes.size(), [&](size_t i) {
+      for (size_t k = 0; k < nodes[i].size(); ++k) {
+        Node<T>& node = k == 0 ? tree_.nodes[subtrees_[i].node] : tree_.nodes[first[i] + k - 1];
+        node = nodes[i][k];
+        if (!node.is_leaf()) node.first += first[i] - 1;
+      }
+    });
+  }
+
+  /// Its nodes, numbered from 0, the root's number. The items' order goes where it belongs.
+  [[nodiscard]] std::vector<Node<T>> build_subtree(const Part<T>& root) {
+    std::vector<Node<T>> nodes;
+    nodes.reserve(root.count());  // about half of it is needed; what is not touched costs nothing
+    nodes.emplace_back();
     std::vector<Part<T>> pending{root};
-    tree_.nodes.emplace_back();
+    pending[0].node = 0;
     while (!pending.empty()) {
       const Part<T> part = pending.back();
       pending.pop_back();
-      Node<T>& node = tree_.nodes[part.node];
-      node.box = part.box.box();
       Part<T> left, right;
-      if (!split(part, left, right)) {
-        node.first = part.begin;
-        node.count = part.count();
-        for (uint32_t i = 0; i < part.count(); ++i) tree_.order[part.begin + i] = of(part)[i].item();
+      if (parts_.split(part, left, right)) {
+        add_children(part, left, right, nodes, pending);
         continue;
       }
-      node.first = left.node = static_cast<uint32_t>(tree_.nodes.size());
-      right.node = left.node + 1;
-      pending.push_back(right);
-      pending.push_back(left);
-      tree_.nodes.resize(tree_.nodes.size() + 2);
+      nodes[part.node] = {part.box.box(), part.begin, part.count()};
+      const auto references = parts_.references(part);
+      for (uint32_t i = 0; i < part.count(); ++i) tree_.order[part.begin + i] = references[i].item();
     }
-  }
-
-  /// False for a leaf.
-  [[nodiscard]] bool split(const Part<T>& part, Part<T>& left, Part<T>& right) const {
-    const bool may_be_leaf = part.count() <= leaf_size_;
-    // One block costs less than a node.
-    if (may_be_leaf && (part.count() - 1) >> block_shift_ == 0) return false;
-    if (part.centres.is_point()) return false;
-    if (part.depth < balanced_from_depth) return split_by_area(part, may_be_leaf, left, right);
-    if (may_be_leaf) return false;
-    split_evenly(part, left, right);
-    return true;
-  }
-
-  [[nodiscard]] bool split_by_area(const Part<T>& part, bool may_be_leaf, Part<T>& left,
-                                   Part<T>& right) const {
-    // Few items need few bins: to sweep over all would take longer than to fill them.
-    const BinMapping<T> mapping(part.centres,
-                                static_cast<int>(std::min<uint32_t>(most_bins, 4 + part.count() / 4)));
-    Bins<T> bins(mapping.count);
-    bins.add(of(part), mapping);
-    const SplitPlane<T> plane = PlaneSweep<T>(bins, mapping.count, block_shift_).cheapest();
-    const T area = part.box.box().half_area();
-    const uint32_t blocks = ((part.count() - 1) >> block_shift_) + 1;
-    if (may_be_leaf && !(plane.cost + node_cost * area < area * static_cast<T>(blocks))) return false;
-    if (!(plane.cost < Box<T>::inf)) {
-      split_evenly(part, left, right);
-      return true;
-    }
-    const uint32_t middle = part.begin + plane.left_count;
-    left = part_of(part.begin, middle, part.depth + 1, 1 - part.buffer);
-    right = part_of(middle, part.end, part.depth + 1, 1 - part.buffer);
-    left.box = plane.left;
-    right.box = plane.right;
-    partition<T>(of(part), mapping, plane.axis, plane.bin, of(left).data(), of(right).data());
-    left.centres = bounds_of_centres<T>(of(left));
-    right.centres = bounds_of_centres<T>(of(right));
-    return true;
-  }
-
-  /// Halves the count of items along the longest axis of the centres.
-  void split_evenly(const Part<T>& part, Part<T>& left, Part<T>& right) const {
-    const References all = of(part);
-    const int axis = part.centres.box().longest_axis();
-    const uint32_t half = part.count() / 2;
-    std::nth_element(all.begin(), all.begin() + half, all.end(),
-                     [axis](const Reference<T>& a, const Reference<T>& b) {
-                       return a.lower[axis] + a.upper[axis] < b.lower[axis] + b.upper[axis];
-                     });
-    left = part_of(part.begin, part.begin + half, part.depth + 1, part.buffer);
-    right = part_of(part.begin + half, part.end, part.depth + 1, part.buffer);
-    for (Part<T>* side : {&left, &right}) {
-      for (const Reference<T>& reference : of(*side)) side->box.include(reference.lower, reference.upper);
-      side->centres = bounds_of_centres<T>(of(*side));
-    }
+    return nodes;
   }
 
   std::span<const Box<T>> items_;
-  uint32_t leaf_size_;
-  int block_shift_;
-  std::unique_ptr<Reference<T>[]> buffers_[2];
+  const ForEach& for_each_;
+  Parts<T> parts_;
+  std::vector<Part<T>> subtrees_;
   Hierarchy<T> tree_;
 };
 
 }  // namespace
 
 template <class T>
-Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size, int block) {
-  return items.empty() ? Hierarchy<T>{} : Builder<T>(items, leaf_size, block).run();
+Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size, int block, const ForEach& for_each) {
+  return items.empty() ? Hierarchy<T>{} : Builder<T>(items, leaf_size, block, for_each).run();
 }
 
-template Hierarchy<float> build_sah(std::span<const Box<float>>, int, int);
-template Hierarchy<double> build_sah(std::span<const Box<double>>, int, int);
+template Hierarchy<float> build_sah(std::span<const Box<float>>, int, int, const ForEach&);
+template Hierarchy<double> build_sah(std::span<const Box<double>>, int, int, const ForEach&);
 
 }  // namespace raysweep

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
 
 #include "tracer/for_each.h"
 #include "tracer/wide/wide_tree.h"
@@ -17,9 +16,7 @@ template <int width>
 class CollapsePlan {
  public:
   CollapsePlan(const Hierarchy<float>& binary, const CollapseOptions& options, const ForEach& for_each)
-      : binary_(binary),
-        options_(options),
-        plans_(std::make_unique_for_overwrite<Plan[]>(binary.nodes.size())) {
+      : binary_(binary), options_(options), plans_(binary.nodes.size()) {
     // Subtrees share the work; what is above them is planned last, from below.
     constexpr size_t enough_subtrees = 128;
     std::vector<uint32_t> open{0}, above;
@@ -155,7 +152,7 @@ class CollapsePlan {
 
   const Hierarchy<float>& binary_;
   const CollapseOptions options_;
-  std::unique_ptr<Plan[]> plans_;
+  UnsetVector<Plan> plans_;
 };
 
 }  // namespace raysweep

@@ -12,22 +12,30 @@ struct WideGeometry {
 
   const Primitives<float, Method>* primitives;
   WideTree<width> tree;
-  std::vector<Block, CacheLineAllocator<Block>> blocks;
+  UnsetVector<Block> blocks;
 
-  /// Fills the blocks of `built` with the triangles of `shapes`, which must outlive this.
-  WideGeometry(const Primitives<float, Method>& shapes, WideTree<width> built)
+  /// Fills the blocks of `built` with the triangles of `shapes`, which must outlive this. `for_each` shares
+  /// the work.
+  WideGeometry(const Primitives<float, Method>& shapes, WideTree<width> built,
+               const ForEach& for_each = one_after_the_other)
       : primitives(&shapes), tree(std::move(built)), blocks(tree.block_goes_on.size()) {
-    for (size_t b = 0; b < blocks.size(); ++b) {
-      blocks[b].more = tree.block_goes_on[b];
-      for (size_t lane = 0; lane < width; ++lane)
-        set_lane(blocks[b], lane, tree.block_items[b * width + lane]);
-    }
+    constexpr size_t chunk_size = 1024;
+    for_each((blocks.size() + chunk_size - 1) / chunk_size, [&](size_t chunk) {
+      const size_t end = std::min((chunk + 1) * chunk_size, blocks.size());
+      for (size_t b = chunk * chunk_size; b < end; ++b) fill(b);
+    });
     // Assigning {} would keep the memory.
-    tree.block_items = std::vector<uint32_t>();
+    tree.block_items = UnsetVector<uint32_t>();
     tree.block_goes_on = std::vector<uint8_t>();
   }
 
  private:
+  void fill(size_t b) {
+    blocks[b] = Block{};
+    blocks[b].more = tree.block_goes_on[b];
+    for (size_t lane = 0; lane < width; ++lane) set_lane(blocks[b], lane, tree.block_items[b * width + lane]);
+  }
+
   void set_lane(Block& block, size_t lane, uint32_t item) const {
     for (auto& row : block.corners) row[lane] = std::numeric_limits<float>::quiet_NaN();
     block.id[lane] = item == no_hit_id ? no_hit_id : primitives->first_sphere() + item;

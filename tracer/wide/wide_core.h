@@ -25,10 +25,11 @@ class WideCore {
   using Real = float;
   using Method = MethodType;
 
-  /// `isa` must run here and be `width` wide.
-  WideCore(const Scene& scene, const std::string& accel, int leaf_size, std::string_view isa)
-      : primitives_(scene),
-        geometry_(primitives_, build(accel, leaf_size)),
+  /// `isa` must run here and be `width` wide. `for_each` shares the work of building.
+  WideCore(const Scene& scene, const std::string& accel, int leaf_size, std::string_view isa,
+           const ForEach& for_each = one_after_the_other)
+      : primitives_(scene, for_each),
+        geometry_(primitives_, build(accel, leaf_size, for_each), for_each),
         kernels_(kernels_for<Method, width>(isa)) {
     if (!kernels_.single.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
     // Kernels may overflow with such boxes.
@@ -87,15 +88,18 @@ class WideCore {
   }
 
  private:
-  [[nodiscard]] WideTree<width> build(const std::string& accel, int leaf_size) const {
+  [[nodiscard]] WideTree<width> build(const std::string& accel, int leaf_size,
+                                      const ForEach& for_each) const {
     // The collapse decides itself what is a leaf, so it is handed small ones: to split those further takes
     // time and gains nothing. Others are studied for their leaves.
-    constexpr int small_leaf = width * 3 / 4;
+    constexpr int small_leaf = width - 1;
     const bool merges_leaves = accel == "sah";
-    const Hierarchy<float> binary = build_by_name<float>(
-        accel, primitives_.boxes(), merges_leaves ? small_leaf : leaf_size, merges_leaves ? width : 1);
+    const Hierarchy<float> binary =
+        build_by_name<float>(accel, primitives_.boxes(), merges_leaves ? small_leaf : leaf_size,
+                             merges_leaves ? width : 1, for_each);
     return collapse<width>(binary, primitives_.boxes(),
-                           {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves});
+                           {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves},
+                           for_each);
   }
 
   /// Planes have no boxes: each ray meets all of them first.

@@ -8,6 +8,7 @@
 #include "tracer/accel/hierarchy.h"
 #include "tracer/for_each.h"
 #include "tracer/ray_batch.h"
+#include "tracer/unset_memory.h"
 
 namespace raysweep {
 
@@ -44,9 +45,9 @@ struct alignas(64) WideBlock {
 /// `blocks[0]` of a tree is the sentinel: no primitives.
 template <int width>
 struct WideTree {
-  std::vector<WideNode<width>, CacheLineAllocator<WideNode<width>>> nodes;
+  UnsetVector<WideNode<width>> nodes;
   /// What the blocks hold: `width` items each, `no_hit_id` where there is none.
-  std::vector<uint32_t> block_items;
+  UnsetVector<uint32_t> block_items;
   std::vector<uint8_t> block_goes_on;
   int depth = 0;      // inner nodes on the longest path
   double cost = 0;    // expected visits a ray: nodes and blocks, each weighted by the chance to be met

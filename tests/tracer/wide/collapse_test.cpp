@@ -1,8 +1,10 @@
 // What a collapsed tree promises: every item once, in boxes that hold it, in leaves of the asked size.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <random>
 
+#include "tests/tracer/shared_work.h"
 #include "tracer/accel/build_by_name.h"
 #include "tracer/wide/wide_tree.h"
 
@@ -97,7 +99,7 @@ class Walk {
 
 template <int width>
 void expect_promises_kept() {
-  for (const uint32_t count : {1u, 2u, 7u, 8u, 9u, 64u, 1000u}) {
+  for (const uint32_t count : {1u, 2u, 7u, 8u, 9u, 64u, 1000u, 20'000u}) {
     for (const uint32_t spheres : {0u, count / 3, count}) {
       const auto boxes = random_boxes(count);
       for (const char* accel : {"sah", "median", "none"}) {
@@ -146,6 +148,21 @@ TEST(collapse, nothing_gives_a_root_without_children) {
   const auto tree = collapse<8>(Hierarchy<float>{}, {}, {0, true});
   ASSERT_EQ(tree.nodes.size(), 1u);
   for (int i = 0; i < 8; ++i) EXPECT_GT(tree.nodes[0].bounds[0][0][i], tree.nodes[0].bounds[0][1][i]);
+}
+
+TEST(collapse, the_tree_is_the_same_whoever_shares_the_work) {
+  const auto boxes = random_boxes(20'000);
+  const auto binary = build_sah<float>(boxes, 4);
+  const auto tree = collapse<8>(binary, boxes, {1000, true});
+  for (const ForEach& for_each : {ForEach(backwards), ForEach(by_threads)}) {
+    const auto other = collapse<8>(binary, boxes, {1000, true}, for_each);
+    ASSERT_EQ(other.nodes.size(), tree.nodes.size());
+    EXPECT_EQ(std::memcmp(other.nodes.data(), tree.nodes.data(), tree.nodes.size() * sizeof(tree.nodes[0])),
+              0);
+    EXPECT_EQ(other.block_items, tree.block_items);
+    EXPECT_EQ(other.block_goes_on, tree.block_goes_on);
+    EXPECT_EQ(other.depth, tree.depth);
+  }
 }
 
 /// A dearer tree would be found by traversal times only.
