@@ -1,6 +1,8 @@
 // Who takes part in a comparison of tracers.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,19 +33,28 @@ struct Entrant {
   bool robust = false;  // promises to miss nothing at edges
 };
 
-/// What building took.
+/// What one build took.
 struct BuildCost {
   double seconds = 0;
   size_t bytes = 0;  // held afterwards
 };
 
-/// All the ways of one tracer, for one scene.
-struct Team {
-  std::vector<Entrant> entrants;
-  std::vector<std::pair<std::string, BuildCost>> builds;  // by class: "medium", "high"
+/// A way to build, from triangles to what rays are traced in. The tracers' builds of one class and as many
+/// threads are compared, each tracer's quickest.
+struct TimedBuild {
+  std::string build_class;  // "medium" or "high"
+  int threads = 1;
+  std::function<BuildCost()> run;  // builds, and drops what it built
 };
 
-/// Builds are timed so many times; their median counts.
-inline constexpr int build_repeats = 3;
+/// All the ways of one tracer, for one scene, which must outlive them.
+struct Team {
+  std::vector<Entrant> entrants;
+  std::vector<TimedBuild> builds;
+};
+
+/// Each build is timed in as many rounds.
+inline constexpr int build_rounds = 7;
+inline constexpr std::array build_threads{1, 2};
 
 }  // namespace raysweep

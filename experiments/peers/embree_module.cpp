@@ -1,11 +1,9 @@
 // The module that brings Embree.
-#include <algorithm>
 #include <array>
 
 #include "experiments/clock.h"
 #include "experiments/errors.h"
 #include "experiments/peers/embree_team.h"
-#include "results/statistics/statistics.h"
 #include "tracer/peers/embree_rays.h"
 #include "tracer/peers/embree_renderer.h"
 
@@ -32,16 +30,11 @@ class EmbreeContestant final : public Contestant {
   bool coherent_;
 };
 
-std::shared_ptr<const EmbreeScene> build(const Scene& scene, const EmbreeBuild& how, BuildCost& cost) {
-  std::vector<double> seconds;
-  const auto built = std::make_shared<EmbreeScene>(how);
-  for (int i = 0; i < build_repeats; ++i) {
-    const double begin = now_seconds();
-    built->build(scene);
-    seconds.push_back(now_seconds() - begin);
-  }
-  cost = {median(seconds), built->bytes()};
-  return built;
+BuildCost timed_build(const Scene& scene, const EmbreeBuild& how) {
+  EmbreeScene built(how);
+  const double begin = now_seconds();
+  built.build(scene);
+  return {now_seconds() - begin, built.bytes()};
 }
 
 /// Of the instruction sets that Embree 3 has code for, the two best, as far as this processor has them.
@@ -49,7 +42,7 @@ std::vector<std::string> instruction_sets() {
   std::vector<std::string> names;
   for (const char* name : {"avx2", "avx512"}) {
     try {
-      const EmbreeScene probe({name, false, false});
+      const EmbreeScene probe({name});
       names.emplace_back(name);
     } catch (const EmbreeError&) {
       continue;
@@ -69,9 +62,9 @@ class TeamMaker {
   }
 
   void add(const EmbreeBuild& how) {
-    BuildCost cost;
-    const auto built = build(scene_, how, cost);
-    if (!how.robust) keep_quicker(how.high_quality ? "high" : "medium", cost);
+    const auto built = std::make_shared<EmbreeScene>(how);
+    built->build(scene_);
+    if (!how.robust) add_builds(how);
     for (size_t i = 0; i < widths.size(); ++i) {
       for (const bool coherent : {true, false}) {
         const std::string width = widths[i] == 1 ? "single" : std::to_string(widths[i]);
@@ -87,13 +80,11 @@ class TeamMaker {
   [[nodiscard]] Team team() { return std::move(team_); }
 
  private:
-  /// Of the instruction sets, the one that builds faster stands for a quality.
-  void keep_quicker(const std::string& quality, const BuildCost& cost) {
-    const auto known = std::ranges::find(team_.builds, quality, [](const auto& b) { return b.first; });
-    if (known == team_.builds.end()) {
-      team_.builds.emplace_back(quality, cost);
-    } else if (cost.seconds < known->second.seconds) {
-      known->second = cost;
+  void add_builds(EmbreeBuild how) {
+    for (const int threads : build_threads) {
+      how.threads = threads;
+      team_.builds.push_back({how.high_quality ? "high" : "medium", threads,
+                              [&scene = scene_, how] { return timed_build(scene, how); }});
     }
   }
 
@@ -106,8 +97,8 @@ Team make_team(const Scene& scene, bool robust) {
   TeamMaker maker(scene);
   for (const std::string& isa : instruction_sets()) {
     for (const bool high : {false, true}) {
-      maker.add({isa, high, false});
-      if (robust) maker.add({isa, high, true});
+      maker.add({.isa = isa, .high_quality = high});
+      if (robust) maker.add({.isa = isa, .high_quality = high, .robust = true});
     }
   }
   return maker.team();

@@ -2,10 +2,11 @@
 
 #include <malloc.h>
 
+#include <atomic>
+#include <thread>
 #include <type_traits>
 
 #include "experiments/clock.h"
-#include "results/statistics/statistics.h"
 #include "tracer/wide/wide_core.h"
 
 namespace raysweep {
@@ -22,10 +23,14 @@ size_t heap_bytes() {
 template <class Core>
 class OurContestant final : public Contestant {
  public:
-  OurContestant(std::string name, std::shared_ptr<const Core> core)
-      : name_(std::move(name)), core_(std::move(core)) {}
+  OurContestant(std::shared_ptr<const Core> core, std::string_view isa, Grouping grouping)
+      : core_(std::move(core)), isa_(isa), grouping_(grouping) {}
 
-  [[nodiscard]] std::string name() const override { return name_; }
+  /// "packets avx512 robust"
+  [[nodiscard]] std::string name() const override {
+    return (grouping_ == Grouping::packets ? "packets " : "single ") + isa_ +
+           (Core::Method::is_watertight ? " robust" : "");
+  }
   void prepare(const RayBatch& rays, bool any_hit) override {
     rays_ = &rays;
     any_hit_ = any_hit;
@@ -33,34 +38,56 @@ class OurContestant final : public Contestant {
   }
   void reset() override {}  // rays are only read
   void run() override {
-    any_hit_ ? core_->occluded(*rays_, hits_, scratch_) : core_->closest(*rays_, hits_, scratch_);
+    if (any_hit_) {
+      core_->occluded(*rays_, hits_, scratch_, grouping_);
+    } else {
+      core_->closest(*rays_, hits_, scratch_, grouping_);
+    }
   }
   [[nodiscard]] HitBatch hits() const override { return hits_; }
 
  private:
-  std::string name_;
   std::shared_ptr<const Core> core_;
+  std::string isa_;
+  Grouping grouping_;
   const RayBatch* rays_ = nullptr;
   bool any_hit_ = false;
   HitBatch hits_{0};
   KernelScratch scratch_;
 };
 
-/// Builds a core as often as builds are timed, and keeps the last.
+/// Work shared by threads that live as long as it lasts.
+ForEach shared_by(int threads) {
+  if (threads == 1) return one_after_the_other;
+  return [threads](size_t count, const std::function<void(size_t)>& body) {
+    std::atomic<size_t> next{0};
+    const auto work = [&] {
+      // Relaxed: who gets which number is all that is asked; joining orders what the bodies wrote.
+      for (size_t i = next.fetch_add(1, std::memory_order_relaxed); i < count;
+           i = next.fetch_add(1, std::memory_order_relaxed))
+        body(i);
+    };
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(work);
+    work();
+  };
+}
+
 template <class Core>
-std::shared_ptr<const Core> build(const Scene& scene, std::string_view isa, BuildCost& cost) {
-  std::shared_ptr<const Core> core;
-  std::vector<double> seconds;
-  for (int i = 0; i < build_repeats; ++i) {
-    core.reset();
-    const size_t before = heap_bytes();
-    const double begin = now_seconds();
-    core = std::make_shared<const Core>(scene, "sah", 4, isa);
-    seconds.push_back(now_seconds() - begin);
-    cost.bytes = heap_bytes() - before;
+BuildCost timed_build(const Scene& scene, std::string_view isa, int threads) {
+  const size_t before = heap_bytes();
+  const double begin = now_seconds();
+  const Core core(scene, "sah", 4, isa, shared_by(threads));
+  return {now_seconds() - begin, heap_bytes() - before};
+}
+
+template <class Core>
+void add_builds(Team& team, const Scene& scene, std::string_view isa) {
+  for (const char* build_class : {"medium", "high"}) {
+    for (const int threads : build_threads)
+      team.builds.push_back(
+          {build_class, threads, [&scene, isa, threads] { return timed_build<Core>(scene, isa, threads); }});
   }
-  cost.seconds = median(seconds);
-  return core;
 }
 
 }  // namespace
@@ -70,18 +97,16 @@ RobustOracleCore make_robust_oracle(const Scene& scene) { return RobustOracleCor
 
 Team make_our_team(const Scene& scene) {
   Team team;
-  BuildCost cost;
   const auto enter = [&]<class Core>(std::type_identity<Core>, std::string_view isa) {
+    const auto core = std::make_shared<const Core>(scene, "sah", 4, isa);
     constexpr bool robust = Core::Method::is_watertight;
-    BuildCost here;
-    const auto core = build<Core>(scene, isa, here);
-    if (!robust && (team.entrants.empty() || here.seconds < cost.seconds))
-      cost = here;  // as for Embree, the quicker one counts
-    team.entrants.push_back({std::make_unique<OurContestant<Core>>(
-                                 "single " + std::string(isa) + (robust ? " robust" : ""), core),
-                             true, robust});
+    for (const Grouping grouping : {Grouping::single, Grouping::packets})
+      team.entrants.push_back(
+          {std::make_unique<OurContestant<Core>>(core, isa, grouping), grouping == Grouping::single, robust});
   };
   const auto enter_both = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
+    // One hierarchy stands against both of Embree's. Which instructions traverse it later does not matter.
+    if (team.builds.empty()) add_builds<WideCore<MollerTrumbore, width>>(team, scene, isa);
     enter(std::type_identity<WideCore<MollerTrumbore, width>>(), isa);
     enter(std::type_identity<WideCore<WoopWatertight, width>>(), isa);
   };
@@ -90,8 +115,6 @@ Team make_our_team(const Scene& scene) {
     if (isa.width == 8) enter_both(std::integral_constant<int, 8>(), isa.name);
     if (isa.width == 4 && team.entrants.empty()) enter_both(std::integral_constant<int, 4>(), isa.name);
   }
-  // One hierarchy stands against both of Embree's.
-  team.builds = {{"medium", cost}, {"high", cost}};
   return team;
 }
 

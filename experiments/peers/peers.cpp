@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/errors.h"
 #include "tracer/scene/scenes.h"
 
@@ -26,6 +28,31 @@ std::vector<NamedScene> load_all(const std::vector<std::string>& names) {
     }
   }
   return scenes;
+}
+
+/// One build and what it took in each round.
+struct BuildRounds {
+  const TimedBuild* build;
+  std::vector<double> seconds;
+  size_t bytes = 0;
+
+  void run() {
+    const BuildCost cost = build->run();
+    seconds.push_back(cost.seconds);
+    bytes = cost.bytes;
+  }
+  [[nodiscard]] BuildCost cost() const { return {median(seconds), bytes}; }
+};
+
+std::vector<BuildRounds> builds_of(const Team& team, const std::string& build_class, int threads) {
+  std::vector<BuildRounds> builds;
+  for (const TimedBuild& build : team.builds)
+    if (build.build_class == build_class && build.threads == threads) builds.push_back({&build, {}});
+  return builds;
+}
+
+const BuildRounds& quickest(const std::vector<BuildRounds>& builds) {
+  return *std::ranges::min_element(builds, {}, [](const BuildRounds& b) { return b.cost().seconds; });
 }
 
 /// Of `contestant`'s, alone.
@@ -62,10 +89,13 @@ class SceneComparison {
         embree_(embree.make_team(scene.scene, is_robust(ours_))) {}
 
   void add_builds(PeersResult& result) const {
-    for (const auto& [name, ours] : ours_.builds) {
-      for (const auto& [embree_name, embree] : embree_.builds) {
-        if (embree_name == name)
-          result.builds.push_back({scene_.name, scene_.scene.triangle_count(), name, ours, embree});
+    for (const char* build_class : {"medium", "high"}) {
+      for (const int threads : build_threads) {
+        auto build = compare_builds(ours_, embree_, build_class, threads);
+        if (!build) continue;
+        build->scene = scene_.name;
+        build->triangles = scene_.scene.triangle_count();
+        result.builds.push_back(std::move(*build));
       }
     }
   }
@@ -142,6 +172,27 @@ std::optional<PeersRow> make_row(std::span<const Performance> all, DuelClass due
   row.ours_from_oracle = ours->from_oracle;
   row.embree_from_oracle = embree->from_oracle;
   return row;
+}
+
+std::optional<PeersBuild> compare_builds(const Team& ours, const Team& embree, const std::string& build_class,
+                                         int threads) {
+  std::vector<BuildRounds> mine = builds_of(ours, build_class, threads);
+  std::vector<BuildRounds> theirs = builds_of(embree, build_class, threads);
+  if (mine.empty() || theirs.empty()) return std::nullopt;
+  for (int round = 0; round < build_rounds; ++round) {
+    for (auto* team : {&mine, &theirs})
+      for (BuildRounds& build : *team) build.run();
+  }
+  const BuildRounds &best = quickest(mine), &other = quickest(theirs);
+  std::vector<double> ratios;
+  for (size_t i = 0; i < best.seconds.size(); ++i) ratios.push_back(best.seconds[i] / other.seconds[i]);
+  PeersBuild result;
+  result.build_class = build_class;
+  result.threads = threads;
+  result.ours = best.cost();
+  result.embree = other.cost();
+  result.ratio = estimate_median(std::move(ratios));
+  return result;
 }
 
 PeersResult compare_with_embree(const PeersRequest& request, const EmbreeModule& embree,

@@ -35,7 +35,9 @@ struct PeersBuild {
   std::string scene;
   size_t triangles = 0;
   std::string build_class;
-  BuildCost ours, embree;
+  int threads = 1;
+  BuildCost ours, embree;  // medians over the rounds
+  Estimate ratio;          // of times, ours / Embree's, median of the rounds' ratios
 };
 
 struct PeersResult {
@@ -49,6 +51,11 @@ struct PeersResult {
 /// more, for their hits.
 [[nodiscard]] std::optional<PeersRow> make_row(std::span<const Performance> all, DuelClass duel_class,
                                                const RayBatch& rays, bool any_hit);
+
+/// Times the builds of both teams of one class and so many threads in rounds, all in each; none where one of
+/// the teams has no such build.
+[[nodiscard]] std::optional<PeersBuild> compare_builds(const Team& ours, const Team& embree,
+                                                       const std::string& build_class, int threads);
 
 /// Throws SceneError and RequestError before anything runs. `say` is told what comes next.
 [[nodiscard]] PeersResult compare_with_embree(const PeersRequest& request, const EmbreeModule& embree,

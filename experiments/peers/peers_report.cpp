@@ -15,21 +15,23 @@ constexpr double mega = 1e6, mebibyte = 1024.0 * 1024.0;
 const char* name_of(RayKind kind) { return ray_kind_names[static_cast<size_t>(kind)]; }
 const char* name_of(DuelClass duel_class) { return duel_class_names[static_cast<size_t>(duel_class)]; }
 
-/// Null where there is no interval.
-void add_interval(const Estimate& ratio, nlohmann::json& json) {
-  json["low"] = json["high"] = nullptr;
-  if (!ratio.interval) return;
-  json["low"] = ratio.interval->low;
-  json["high"] = ratio.interval->high;
+void add_ratio(nlohmann::json& json, const Estimate& ratio) {
+  json["ratio"] = ratio.value;
+  json["low"] = ratio.interval ? nlohmann::json(ratio.interval->low) : nlohmann::json(nullptr);
+  json["high"] = ratio.interval ? nlohmann::json(ratio.interval->high) : nlohmann::json(nullptr);
 }
 
 nlohmann::json to_json(const PeersRow& row) {
-  nlohmann::json json{{"scene", row.scene},        {"triangles", row.triangles},
-                      {"kind", name_of(row.kind)}, {"class", name_of(row.duel_class)},
-                      {"ours", row.ours},          {"ours_mrays", row.ours_per_second / mega},
-                      {"embree", row.embree},      {"embree_mrays", row.embree_per_second / mega},
-                      {"ratio", row.ratio.value},  {"hits_differ", row.between.rays}};
-  add_interval(row.ratio, json);
+  nlohmann::json json{{"scene", row.scene},
+                      {"triangles", row.triangles},
+                      {"kind", name_of(row.kind)},
+                      {"class", name_of(row.duel_class)},
+                      {"ours", row.ours},
+                      {"ours_mrays", row.ours_per_second / mega},
+                      {"embree", row.embree},
+                      {"embree_mrays", row.embree_per_second / mega},
+                      {"hits_differ", row.between.rays}};
+  add_ratio(json, row.ratio);
   return json;
 }
 
@@ -44,11 +46,10 @@ nlohmann::json to_json(const PictureRow& row) {
                       {"ours_fps", row.ours_per_second},
                       {"embree", row.embree},
                       {"embree_fps", row.embree_per_second},
-                      {"ratio", row.ratio.value},
                       {"embree_share", row.embree_share},
                       {"pixels_differ", row.differences.pixels},
                       {"largest_difference", row.differences.largest}};
-  add_interval(row.ratio, json);
+  add_ratio(json, row.ratio);
   return json;
 }
 
@@ -58,13 +59,16 @@ nlohmann::json bytes_or_null(size_t bytes) {
 }
 
 nlohmann::json to_json(const PeersBuild& build) {
-  return {{"scene", build.scene},
-          {"triangles", build.triangles},
-          {"class", build.build_class},
-          {"ours_seconds", build.ours.seconds},
-          {"embree_seconds", build.embree.seconds},
-          {"ours_bytes", bytes_or_null(build.ours.bytes)},
-          {"embree_bytes", bytes_or_null(build.embree.bytes)}};
+  nlohmann::json json{{"scene", build.scene},
+                      {"triangles", build.triangles},
+                      {"class", build.build_class},
+                      {"threads", build.threads},
+                      {"ours_seconds", build.ours.seconds},
+                      {"embree_seconds", build.embree.seconds},
+                      {"ours_bytes", bytes_or_null(build.ours.bytes)},
+                      {"embree_bytes", bytes_or_null(build.embree.bytes)}};
+  add_ratio(json, build.ratio);
+  return json;
 }
 
 /// "12 (9)": of 12 rays that differ, 9 do so in the same place.
@@ -138,13 +142,16 @@ Table pictures_table(const PeersResult& result, const PeersRequest& request, con
 Table builds_table(const PeersResult& result) {
   Table table;
   table.caption = fmt::format(
-      "Builds: from triangles to what rays are traced in, one thread, median of {}; class: Embree's quality",
-      build_repeats);
-  table.columns = {{"scene", false}, {"triangles"}, {"class", false}, {"ours, ms"},
-                   {"Embree, ms"},   {"ours, MiB"}, {"Embree, MiB"}};
+      "Builds: from triangles to what rays are traced in, medians of {} rounds; class: Embree's quality; "
+      "ratio "
+      "of times: ours / Embree's by round [95 % interval]",
+      build_rounds);
+  table.columns = {{"scene", false}, {"triangles"}, {"class", false}, {"threads"},    {"ours, ms"},
+                   {"Embree, ms"},   {"ratio"},     {"ours, MiB"},    {"Embree, MiB"}};
   for (const PeersBuild& build : result.builds) {
     table.rows.push_back({build.scene, std::to_string(build.triangles), build.build_class,
-                          significant(build.ours.seconds * 1e3), significant(build.embree.seconds * 1e3),
+                          std::to_string(build.threads), significant(build.ours.seconds * 1e3),
+                          significant(build.embree.seconds * 1e3), with_interval(build.ratio),
                           in_mebibytes(build.ours.bytes), in_mebibytes(build.embree.bytes)});
   }
   return table;

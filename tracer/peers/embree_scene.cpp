@@ -6,11 +6,13 @@ namespace raysweep {
 
 namespace {
 
-/// For one thread. Configuration files of the user's, which Embree would read, must not change what is
+/// Configuration files of the user's, which Embree would read, must not change what is
 /// compared. By default Embree would rather keep to 256 bits, for the sake of the clock rate; where AVX-512
 /// is asked for by name, all of it is meant.
 std::string device_config(const EmbreeBuild& how) {
-  std::string config = "threads=1,set_affinity=0,ignore_config_files=1,isa=" + how.isa;
+  std::string config = "threads=" + std::to_string(how.threads) +
+                       ",start_threads=" + (how.threads > 1 ? "1" : "0") +
+                       ",set_affinity=0,ignore_config_files=1,isa=" + how.isa;
   if (how.isa == "avx512") config += ",frequency_level=simd512";
   return config;
 }
@@ -61,7 +63,7 @@ std::string EmbreeBuild::name() const {
 EmbreeScene::EmbreeScene(const EmbreeBuild& how)
     : how_(how), device_(rtcNewDevice(device_config(how).c_str())) {
   if (!device_) throw EmbreeError("Embree: this processor cannot run " + how.isa);
-  rtcSetDeviceMemoryMonitorFunction(device_, count_memory, this);
+  if (how.threads == 1) rtcSetDeviceMemoryMonitorFunction(device_, count_memory, this);
 }
 
 EmbreeScene::~EmbreeScene() {

@@ -18,6 +18,7 @@ struct EmbreeBuild {
   std::string isa = "avx2";   // or "avx512"
   bool high_quality = false;  // with spatial splits (RTC_BUILD_QUALITY_HIGH); else medium, Embree's default
   bool robust = false;        // RTC_SCENE_FLAG_ROBUST: no misses at edges, slower
+  int threads = 1;            // that build
 
   /// "avx2 medium", "avx512 high robust"
   [[nodiscard]] std::string name() const;
@@ -34,8 +35,7 @@ struct EmbreeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A device and a scene of its own, so that its memory is counted apart. One thread builds; any number may
-/// trace.
+/// A device and a scene of its own, so that its memory is counted apart. Any number of threads may trace.
 class EmbreeScene {
  public:
   /// Makes the device only. Throws EmbreeError where the processor has not got these instructions.
@@ -51,7 +51,7 @@ class EmbreeScene {
   [[nodiscard]] RTCSceneTy* handle() const { return scene_; }
   /// Which of our ids Embree's first triangle has.
   [[nodiscard]] uint32_t first_triangle() const { return first_triangle_; }
-  /// What Embree holds, its copy of the vertices included.
+  /// What Embree holds, its copy of the vertices included; 0 where several threads build: nobody counts.
   [[nodiscard]] size_t bytes() const { return static_cast<size_t>(bytes_); }
 
  private:
@@ -62,7 +62,7 @@ class EmbreeScene {
   RTCDeviceTy* device_;
   RTCSceneTy* scene_ = nullptr;
   uint32_t first_triangle_ = 0;
-  ptrdiff_t bytes_ = 0;  // a plain sum: the device has one thread
+  ptrdiff_t bytes_ = 0;  // a plain sum: counted only where the device has one thread
 };
 
 }  // namespace raysweep

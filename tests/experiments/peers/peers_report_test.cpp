@@ -35,7 +35,7 @@ PeersResult example() {
   picture.ratio = {0.75, Estimate::Bounds{0.7, 0.8}, 7};
   picture.embree_share = 0.64;
   picture.differences = {17, 0.5};
-  return {{row}, {{"chair-ball", 10817, "high", {0.02, 0}, {0.03, 1 << 20}}}, {picture}, {}};
+  return {{row}, {{"chair-ball", 10817, "high", 2, {0.02, 0}, {0.03, 1 << 20}, {0.7, {}, 7}}}, {picture}, {}};
 }
 
 std::set<std::string> keys(const nlohmann::json& object) {
@@ -58,8 +58,11 @@ TEST(peers_report, has_the_fields_that_scripts_rely_on) {
   EXPECT_EQ(row["low"], 0.24);
   EXPECT_EQ(row["hits_differ"], 12);
   const auto& build = json["builds"][0];
-  EXPECT_EQ(keys(build), (std::set<std::string>{"scene", "triangles", "class", "ours_seconds",
-                                                "embree_seconds", "ours_bytes", "embree_bytes"}));
+  EXPECT_EQ(keys(build),
+            (std::set<std::string>{"scene", "triangles", "class", "threads", "ours_seconds", "embree_seconds",
+                                   "ours_bytes", "embree_bytes", "ratio", "low", "high"}));
+  EXPECT_EQ(build["threads"], 2);
+  EXPECT_EQ(build["ratio"], 0.7);
   EXPECT_EQ(build["ours_bytes"], nullptr) << "not counted is not 0";
   EXPECT_EQ(build["embree_bytes"], 1 << 20);
 }

@@ -119,8 +119,27 @@ TEST_F(DuelOf, a_class_that_one_of_the_two_has_not_got_has_no_row) {
     EXPECT_FALSE(make_row(run(), c, rays, false).has_value());
 }
 
+TEST(peers, builds_take_turns_and_the_quickest_of_a_team_counts) {
+  std::string turns;
+  const auto build = [&](const char* build_class, int threads, char name, double seconds) {
+    return TimedBuild{build_class, threads, [&turns, name, seconds] {
+                        turns += name;
+                        return BuildCost{seconds, 1};
+                      }};
+  };
+  Team ours, embree;
+  ours.builds = {build("medium", 2, 'a', 3)};
+  embree.builds = {build("medium", 2, 'b', 5), build("medium", 2, 'c', 4), build("medium", 1, 'd', 1)};
+  const auto result = compare_builds(ours, embree, "medium", 2);
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(turns, "abcabcabcabcabcabcabc");
+  EXPECT_EQ(result->embree.seconds, 4);
+  EXPECT_EQ(result->ratio.value, 0.75);
+  EXPECT_FALSE(compare_builds(ours, embree, "medium", 1).has_value()) << "ours has none";
+}
+
 #if RAYSWEEP_HAS_EMBREE
-TEST(peers, has_a_row_for_every_kind_and_class_and_two_builds) {
+TEST(peers, has_a_row_for_every_kind_and_class_and_builds_by_one_and_two_threads) {
   const PeersResult result = compare_with_embree(small_request("chair-ball"), load_embree(), say_nothing);
   EXPECT_EQ(result.rows.size(), 4u * 3) << "single, best and robust";
   for (const PeersRow& row : result.rows) {
@@ -134,10 +153,15 @@ TEST(peers, has_a_row_for_every_kind_and_class_and_two_builds) {
     EXPECT_EQ(row.ours.find("robust") != std::string::npos, is_robust) << row.ours;
     EXPECT_EQ(row.embree.find("robust") != std::string::npos, is_robust) << row.embree;
   }
-  ASSERT_EQ(result.builds.size(), 2u);
-  EXPECT_EQ(result.builds[0].build_class, "medium");
-  EXPECT_EQ(result.builds[1].build_class, "high");
-  for (const PeersBuild& build : result.builds) EXPECT_GT(build.embree.bytes, 100'000u);
+  ASSERT_EQ(result.builds.size(), 4u);
+  for (const size_t i : {0u, 1u, 2u, 3u}) {
+    EXPECT_EQ(result.builds[i].build_class, i < 2 ? "medium" : "high");
+    EXPECT_EQ(result.builds[i].threads, i % 2 == 0 ? 1 : 2);
+    if (result.builds[i].threads == 1) {
+      EXPECT_GT(result.builds[i].embree.bytes, 100'000u);
+    }
+    EXPECT_GT(result.builds[i].ratio.value, 0);
+  }
 }
 
 TEST(peers, makes_pictures_in_every_mode_that_is_asked_for_with_one_thread_and_with_two) {
