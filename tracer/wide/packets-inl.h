@@ -13,7 +13,7 @@
 
 #include <utility>
 
-#include "tracer/wide/beam-inl.h"
+#include "tracer/wide/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -24,17 +24,6 @@ inline constexpr uint32_t packets_in_flight = 8;
 /// Nodes, blocks and triangles that a packet may meet. Nine of ten primary and shadow packets meet less than
 /// half as many; 16 single rays meet more.
 inline constexpr int32_t packet_budget = 96;
-
-struct alignas(64) Packet : StackPlace {
-  alignas(64) PacketRows origin, direction, reciprocal;
-  float t[packet_size];  // nearest hits so far; any: negative where one is known
-  uint32_t id[packet_size];
-  Beam beam;
-  uint32_t first;  // of its rays
-  uint32_t more;   // of the block visited last
-  uint32_t has_news;
-  int32_t budget;
-};
 
 template <class Method, bool any>
 class Packets {
@@ -173,7 +162,8 @@ class Packets {
     packet.more = block.more;
     stacks_.leave_block(packet, block.more);
     if (is_spheres) {
-      for (uint32_t lane = 0; lane < block.count; ++lane) meet_sphere(packet, block.id[lane]);
+      for (uint32_t lane = 0; lane < block.count; ++lane)
+        meet_sphere<any>(primitives_, packet, block.id[lane]);
       packet.budget -= static_cast<int32_t>(block.count);
       return 0;
     }
@@ -231,7 +221,7 @@ class Packets {
           accept(Method{}, d, load_rays(packet.origin, at), load_rays(packet.direction, at),
                  load_rays(packet.reciprocal, at), boxes, corners, normal, t);
       const RayMask is_candidate = hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity()));
-      keep(packet, at, hits.t, hn::And(is_candidate, hits.accepted), block.id[lane]);
+      keep<any>(packet, at, hits.t, hn::And(is_candidate, hits.accepted), block.id[lane]);
     }
     if constexpr (Method::is_watertight) {
       for (size_t i = 0; i < packet_size; ++i)
@@ -250,40 +240,6 @@ class Packets {
     packet.t[i] = any ? -*t : *t;
     packet.id[i] = id;
     packet.has_news = 1;
-  }
-
-  HWY_INLINE void meet_sphere(Packet& packet, uint32_t id) {
-    const RayTag d;
-    const SphereShape<float>& sphere = primitives_.sphere_shape(id);
-    const Box<float>& box = primitives_.box(id);
-    const Lanes3<RayTag> centre = broadcast(d, sphere.centre.x, sphere.centre.y, sphere.centre.z);
-    const LaneBoxes<RayTag> boxes{broadcast(d, box.lower().x, box.lower().y, box.lower().z),
-                                  broadcast(d, box.upper().x, box.upper().y, box.upper().z)};
-    for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const Lanes3<RayTag> origin = load_rays(packet.origin, at),
-                           reciprocal = load_rays(packet.reciprocal, at);
-      const LaneSphereHits<RayTag> met =
-          solve_sphere(d, origin, load_rays(packet.direction, at), centre, hn::Set(d, sphere.radius));
-      const AcceptedHits<RayTag> enter = hold(d, origin, reciprocal, boxes, met.enter),
-                                 leave = hold(d, origin, reciprocal, boxes, met.leave);
-      keep(packet, at, hn::IfThenElse(enter.accepted, enter.t, leave.t),
-           hn::And(met.is_met, hn::Or(enter.accepted, leave.accepted)), id);
-    }
-  }
-
-  /// Keeps hits that are nearer than the rays' own, or, of any, ends the rays.
-  HWY_INLINE void keep(Packet& packet, size_t at, RayLanes t, RayMask accepted, uint32_t with) {
-    const RayTag d;
-    const RayWordTag dw;
-    const RayLanes before = hn::Load(d, packet.t + at);
-    const auto id = hn::Set(dw, with), ids = hn::Load(dw, packet.id + at);
-    RayMask is_nearer = hn::Lt(t, before);
-    if constexpr (!any)
-      is_nearer = hn::Or(is_nearer, hn::And(hn::Eq(t, before), hn::RebindMask(d, hn::Lt(id, ids))));
-    const RayMask kept = hn::And(accepted, is_nearer);
-    packet.has_news |= hn::AllFalse(d, kept) ? 0 : 1;
-    hn::Store(hn::IfThenElse(kept, any ? hn::Neg(t) : t, before), d, packet.t + at);
-    hn::Store(hn::IfThenElse(hn::RebindMask(dw, kept), id, ids), dw, packet.id + at);
   }
 
   HWY_INLINE void leave_block(uint32_t offset) {

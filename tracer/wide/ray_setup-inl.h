@@ -6,6 +6,7 @@
 #define RAYSWEEP_WIDE_RAY_SETUP_INL_H_
 #endif
 
+#include "tracer/wide/accept-inl.h"
 #include "tracer/wide/kernels.h"
 #include "tracer/wide/stacks-inl.h"
 

@@ -111,14 +111,6 @@ class Stacks {
   float* enters_ = nullptr;
 };
 
-/// Corners of a block's triangles.
-template <class Block>
-HWY_INLINE Corners<Floats> corners_of(const Block& block) {
-  const auto corner = [&](size_t row)
-                          HWY_ATTR { return load_rows(Floats(), block.corners[row], lane_count); };
-  return {corner(0), corner(3), corner(6)};
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace raysweep
 HWY_AFTER_NAMESPACE();

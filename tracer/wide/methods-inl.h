@@ -1,0 +1,161 @@
+// The intersection methods, and the sphere, in lanes: their own operations in their own order, so that
+// results are equal bit for bit.
+#if defined(RAYSWEEP_WIDE_METHODS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYSWEEP_WIDE_METHODS_INL_H_
+#undef RAYSWEEP_WIDE_METHODS_INL_H_
+#else
+#define RAYSWEEP_WIDE_METHODS_INL_H_
+#endif
+
+#include "tracer/intersect/moller_trumbore.h"
+#include "tracer/intersect/morozov.h"
+#include "tracer/intersect/woop_watertight.h"
+#include "tracer/wide/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raysweep {
+namespace HWY_NAMESPACE {
+
+/// Corners of triangles.
+template <class D>
+struct Corners {
+  Lanes3<D> a, b, c;
+};
+
+/// TriangleHit of each lane, before any test.
+template <class D>
+struct LaneHits {
+  hn::Vec<D> t, beta, gamma;
+};
+
+/// MollerTrumbore::prepare and, without its early ends, MollerTrumbore::intersect.
+template <class D>
+HWY_INLINE LaneHits<D> solve(MollerTrumbore, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                             const Corners<D>& triangle) {
+  const Lanes3<D> ab = minus<D>(triangle.b, triangle.a), ac = minus<D>(triangle.c, triangle.a);
+  const Lanes3<D> p = cross<D>(direction, ac);
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(ab, p));
+  const Lanes3<D> ao = minus<D>(origin, triangle.a);
+  const Lanes3<D> q = cross<D>(ao, ab);
+  return {hn::Mul(dot<D>(ac, q), inverse), hn::Mul(dot<D>(ao, p), inverse),
+          hn::Mul(dot<D>(direction, q), inverse)};
+}
+
+/// Morozov::prepare and, without its early ends, Morozov::intersect.
+template <class D>
+HWY_INLINE LaneHits<D> solve(Morozov, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                             const Corners<D>& triangle) {
+  const Lanes3<D> e1 = minus<D>(triangle.a, triangle.b), e2 = minus<D>(triangle.c, triangle.a);
+  const Lanes3<D> n = cross<D>(e2, e1);
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(direction, n));
+  const Lanes3<D> to_plane = minus<D>(triangle.a, origin);
+  const Lanes3<D> s = cross<D>(to_plane, direction);
+  return {hn::Mul(dot<D>(to_plane, n), inverse), hn::Mul(dot<D>(s, e2), inverse),
+          hn::Mul(dot<D>(s, e1), inverse)};
+}
+
+/// Lanes with 0 < t < ∞, β ≥ 0, γ ≥ 0, β + γ ≤ 1; NaN anywhere is a miss.
+template <class D>
+HWY_INLINE hn::Mask<D> is_hit(D d, const LaneHits<D>& hits) {
+  const auto zero = hn::Zero(d);
+  const auto inside = hn::And(hn::And(hn::Ge(hits.beta, zero), hn::Ge(hits.gamma, zero)),
+                              hn::Le(hn::Add(hits.beta, hits.gamma), hn::Set(d, 1.0f)));
+  const auto ahead =
+      hn::And(hn::Gt(hits.t, zero), hn::Lt(hits.t, hn::Set(d, std::numeric_limits<float>::infinity())));
+  return hn::And(inside, ahead);
+}
+
+/// Lanes that WoopWatertight hits. Where floats leave an edge function uncertain, the lane counts and its
+/// distance is NaN: Primitives::accept_triangle asks the method itself.
+template <class D>
+struct WatertightHits {
+  hn::Vec<D> t;
+  hn::Mask<D> mask;
+};
+
+template <class D>
+HWY_INLINE hn::Mask<D> is_hit(D, const WatertightHits<D>& hits) {
+  return hits.mask;
+}
+
+/// Swaps the axis along which the direction is longest for z. One ray's is the same in all lanes, but a
+/// choice without branches costs less than a guess that fails.
+template <class D>
+class LongestAxis {
+ public:
+  HWY_INLINE explicit LongestAxis(const Lanes3<D>& direction) {
+    const auto x = hn::Abs(direction.x), y = hn::Abs(direction.y), z = hn::Abs(direction.z);
+    is_x_ = hn::And(hn::Gt(x, y), hn::Gt(x, z));
+    is_y_ = hn::AndNot(is_x_, hn::Gt(y, z));
+  }
+  HWY_INLINE Lanes3<D> as_z(const Lanes3<D>& p) const {
+    return {hn::IfThenElse(is_x_, p.z, p.x), hn::IfThenElse(is_y_, p.z, p.y), z_of(p)};
+  }
+  HWY_INLINE hn::Vec<D> z_of(const Lanes3<D>& p) const {
+    return hn::IfThenElse(is_x_, p.x, hn::IfThenElse(is_y_, p.y, p.z));
+  }
+
+ private:
+  hn::Mask<D> is_x_, is_y_;
+};
+
+/// The formula of WoopWatertight::intersect up to where it turns to double.
+template <class D>
+HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                                   const Corners<D>& triangle) {
+  const LongestAxis<D> axis(direction);
+  const Lanes3<D> towards = axis.as_z(direction);
+  const auto along = hn::Div(hn::Set(d, 1.0f), towards.z);
+  const auto by_x = hn::Mul(towards.x, along), by_y = hn::Mul(towards.y, along);
+  const auto sheared = [&](const Lanes3<D>& corner) HWY_ATTR {
+    const Lanes3<D> p = axis.as_z(minus<D>(corner, origin));
+    return Lanes3<D>{hn::Sub(p.x, hn::Mul(by_x, p.z)), hn::Sub(p.y, hn::Mul(by_y, p.z)), p.z};
+  };
+  const Lanes3<D> a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const auto edge = [](const Lanes3<D>& p, const Lanes3<D>& q)
+                        HWY_ATTR { return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x)); };
+  const auto u = edge(c, b), v = edge(a, c), w = edge(b, a);
+  // Where one of them is NaN, so is the distance.
+  const auto is_inside =
+      hn::Or(hn::Ge(hn::Min(hn::Min(u, v), w), hn::Zero(d)), hn::Le(hn::Max(hn::Max(u, v), w), hn::Zero(d)));
+  const auto least = hn::Min(hn::Min(hn::Abs(u), hn::Abs(v)), hn::Abs(w));
+  const auto is_uncertain = hn::Lt(least, hn::Set(d, WoopWatertight::least_certain<float>));
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(u, v), w));
+  const auto sum = hn::Add(hn::Add(hn::Mul(hn::Mul(u, inverse), a.z), hn::Mul(hn::Mul(v, inverse), b.z)),
+                           hn::Mul(hn::Mul(w, inverse), c.z));
+  const auto t = hn::Mul(sum, along);
+  const auto is_ahead =
+      hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity())));
+  return {hn::IfThenElse(is_uncertain, hn::NaN(d), t), hn::And(is_inside, hn::Or(is_uncertain, is_ahead))};
+}
+
+/// SphereHit of each lane, and which meet the sphere at all.
+template <class D>
+struct LaneSphereHits {
+  hn::Vec<D> enter, leave;
+  hn::Mask<D> is_met;
+};
+
+/// The formula of intersect_sphere.
+template <class D>
+HWY_INLINE LaneSphereHits<D> solve_sphere(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
+                                          const Lanes3<D>& centre, hn::Vec<D> radius) {
+  const auto zero = hn::Zero(d);
+  const Lanes3<D> f = minus<D>(origin, centre);
+  const auto a = dot<D>(direction, direction), b = hn::Neg(dot<D>(f, direction)),
+             square = hn::Mul(radius, radius), c = hn::Sub(dot<D>(f, f), square), along = hn::Div(b, a);
+  const Lanes3<D> from_centre{hn::Add(f.x, hn::Mul(along, direction.x)),
+                              hn::Add(f.y, hn::Mul(along, direction.y)),
+                              hn::Add(f.z, hn::Mul(along, direction.z))};
+  auto discriminant = hn::Sub(square, dot<D>(from_centre, from_centre));
+  discriminant = hn::IfThenElse(hn::Lt(c, zero), hn::Max(discriminant, zero), discriminant);
+  const auto q = hn::Add(b, hn::CopySign(hn::Sqrt(hn::Mul(a, discriminant)), b));
+  const auto t0 = hn::IfThenElse(hn::Eq(q, zero), zero, hn::Div(c, q)), t1 = hn::Div(q, a);
+  return {hn::Min(t0, t1), hn::Max(t0, t1), hn::Ge(discriminant, zero)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raysweep
+HWY_AFTER_NAMESPACE();
+
+#endif
