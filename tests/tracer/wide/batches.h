@@ -6,10 +6,25 @@
 
 namespace raysweep {
 
+/// What a core answers to each of some rays: the nearest hit, and whether anything is in the ray's way.
+struct Answers {
+  std::vector<std::optional<Hit<float>>> nearest;
+  std::vector<char> is_hidden;
+
+  template <class Core>
+  Answers(const Core& core, const std::vector<TestRay<float>>& rays) {
+    for (const auto& [ray, t_max] : rays) {
+      nearest.push_back(core.closest(ray, Hit<float>::start(), t_max));
+      is_hidden.push_back(core.occluded(ray, t_max) ? 1 : 0);
+    }
+  }
+};
+
 /// Rays whose answers differ, bit for bit: primitive and distance; of rays with a limit also whether anything
-/// is in their way.
-template <class Wide, class Oracle>
-size_t count_differences(const Wide& core, const Oracle& oracle, const std::vector<TestRay<float>>& tests) {
+/// is in their way. In both groupings, and each counts.
+template <class Wide>
+size_t count_differences(const Wide& core, const Answers& expected,
+                         const std::vector<TestRay<float>>& tests) {
   RayBatch rays(tests.size());
   for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
   HitBatch nearest(tests.size()), any(tests.size());
@@ -19,16 +34,22 @@ size_t count_differences(const Wide& core, const Oracle& oracle, const std::vect
     core.closest(rays, nearest, scratch, grouping);
     core.occluded(rays, any, scratch, grouping);
     for (size_t i = 0; i < tests.size(); ++i) {
-      const auto& [ray, t_max] = tests[i];
-      const auto expected = oracle.closest(ray, Hit<float>::start(), t_max);
-      const bool same = expected ? nearest.id[i] == expected->id && nearest.t[i] == expected->t
-                                 : nearest.id[i] == no_hit_id && (nearest.t[i] == t_max || std::isnan(t_max));
+      const float t_max = tests[i].t_max;
+      const auto& hit = expected.nearest[i];
+      const bool same = hit ? nearest.id[i] == hit->id && nearest.t[i] == hit->t
+                            : nearest.id[i] == no_hit_id && (nearest.t[i] == t_max || std::isnan(t_max));
       const bool same_shadow =
-          oracle.occluded(ray, t_max) ? any.id[i] != no_hit_id && any.t[i] < t_max : any.id[i] == no_hit_id;
+          expected.is_hidden[i] != 0 ? any.id[i] != no_hit_id && any.t[i] < t_max : any.id[i] == no_hit_id;
       differences += same && same_shadow ? 0 : 1;
     }
   }
   return differences;
+}
+
+/// The same against the answers of `oracle`, which several comparisons had better share.
+template <class Wide, class Oracle>
+size_t count_differences(const Wide& core, const Oracle& oracle, const std::vector<TestRay<float>>& tests) {
+  return count_differences(core, Answers(oracle, tests), tests);
 }
 
 /// Calls `visit(core, isa)` with the wide core of each instruction set that runs here.
