@@ -197,9 +197,8 @@ class Parser {
       } else if (const auto real = one.value_exact<double>(); real && numeric) {
         values.push_back({fmt::format("{}", *real), &one});
       } else if (const auto text = one.value_exact<std::string>()) {
-        const std::vector<int> range = numeric ? expand_range(*text, machine_) : std::vector<int>();
-        for (const int v : range) values.push_back({std::to_string(v), &one});
-        if (range.empty()) values.push_back({*text, &one});
+        for (std::string& value : expand_value(*text, name, numeric, machine_))
+          values.push_back({std::move(value), &one});
       } else {
         fail(one,
              numeric
@@ -234,7 +233,7 @@ class Parser {
       std::string problem = factor->set(scratch, value.text);
       if (problem.empty() && name == "pin") problem = pin_problem(value.text, machine_.processors);
       if (!problem.empty()) {
-        fail(*value.node, problem);
+        fail(*value.node, name == "isa" ? problem + ", all" : problem);
       } else {
         checked.push_back(std::move(value.text));
       }

@@ -59,6 +59,11 @@ struct MachineSize {
 /// What refers to the machine never exceeds the largest thread count.
 [[nodiscard]] std::vector<int> expand_range(const std::string& text, const MachineSize& machine);
 
+/// What a value of factor `name` stands for on this machine: the numbers of a range, where it is numeric; of
+/// isa "all", the instruction sets that run here, best first; else itself.
+[[nodiscard]] std::vector<std::string> expand_value(const std::string& text, std::string_view name,
+                                                    bool numeric, const MachineSize& machine);
+
 /// "10 min", "90 s", "2 h" in seconds; 0 if it is none of these.
 [[nodiscard]] double parse_duration(const std::string& text);
 

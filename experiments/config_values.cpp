@@ -6,6 +6,7 @@
 #include "experiments/config.h"
 #include "experiments/numbers.h"
 #include "schedulers/registry.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 
@@ -46,6 +47,20 @@ std::vector<int> expand_range(const std::string& text, const MachineSize& machin
   std::vector<int> values;
   if (!low || !high || *high - *low >= max_range_length) return values;
   for (int v = *low; v <= *high; ++v) values.push_back(v);
+  return values;
+}
+
+std::vector<std::string> expand_value(const std::string& text, std::string_view name, bool numeric,
+                                      const MachineSize& machine) {
+  std::vector<std::string> values;
+  if (numeric) {
+    for (const int v : expand_range(text, machine)) values.push_back(std::to_string(v));
+  } else if (name == "isa" && text == "all") {
+    for (const Isa& isa : built_isas()) {
+      if (runs_here(isa.name)) values.emplace_back(isa.name);
+    }
+  }
+  if (values.empty()) values.push_back(text);
   return values;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/errors.h"
+#include "tracer/wide/isa.h"
 
 namespace raysweep {
 namespace {
@@ -125,6 +126,21 @@ TEST(config, zipped_lists_advance_together) {
 TEST(config, a_factor_is_swept_once) {
   EXPECT_EQ(errors(head + "[sweep]\nwidth = 64\n[sweep.zip]\nwidth = [1, 2]\n"),
             "sweep.toml:5: \"width\" stands in [sweep] and in [sweep.zip]; keep one of them");
+}
+
+TEST(config, all_instruction_sets_are_those_that_run_here) {
+  const Config c = parse(head + "[sweep]\ncore = \"wide\"\nisa = [\"all\"]\n");
+  ASSERT_EQ(c.axes.size(), 2u);
+  std::vector<std::string> swept;
+  for (const std::vector<std::string>& point : c.axes[1].points) swept.push_back(point[0]);
+  std::vector<std::string> here;
+  for (const Isa& isa : built_isas()) {
+    if (runs_here(isa.name)) here.emplace_back(isa.name);
+  }
+  EXPECT_EQ(swept, here);
+  const std::string refused = errors(head + "[sweep]\nisa = \"mmx\"\n");
+  EXPECT_EQ(refused.find("sweep.toml:3: isa \"mmx\" cannot be used here; possible: best, "), 0u) << refused;
+  EXPECT_TRUE(refused.find(", all") != std::string::npos) << refused;
 }
 
 TEST(config, set_changes_one_value_and_is_named_in_errors) {
