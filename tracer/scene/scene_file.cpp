@@ -15,7 +15,10 @@ namespace raysweep {
 namespace {
 
 /// TOML has no control characters but these, yet not every version of toml++ survives others.
-bool is_control(char c) { return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r') || c == 127; }
+bool is_control(char c) {
+  const auto code = static_cast<unsigned char>(c);  // of UTF-8, whether or not this machine's char has a sign
+  return (code < ' ' && c != '\t' && c != '\n' && c != '\r') || code == 127;
+}
 
 /// `a.b.c.d` is a table in a table in a table: without a limit a file of some kilobytes nests until the stack
 /// overflows. Scenes nest three deep. Counts dots outside of quotes and comments, up to what can end a key.
