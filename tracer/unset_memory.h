@@ -1,5 +1,5 @@
-// Arrays that are filled right after they are made, by whoever shares that work: to set them to nothing before
-// would touch all of their memory once more, from one thread.
+// Arrays that are filled right after they are made, by whoever shares that work: to set them to nothing
+// before would touch all of their memory once more, from one thread.
 #pragma once
 
 #include <memory>
