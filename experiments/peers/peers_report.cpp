@@ -118,7 +118,8 @@ Table rays_table(const PeersResult& result, const PeersRequest& request, const E
 Table pictures_table(const PeersResult& result, const PeersRequest& request, const EmbreeModule& embree) {
   Table table;
   table.caption = fmt::format(
-      "Pictures: ours, and the same tracer with Embree {}{} as its core, planes and spheres included; tiles "
+      "Pictures: ours, and the same tracer with Embree {}{} as its core, planes and spheres included (each "
+      "tested with every ray there); tiles "
       "of {} × {} "
       "by a counter; {} rounds in random order, medians; ratio: ours / Embree's by round [95 % interval]\n"
       "Embree: the fastest of its ways on a part of the picture; share: of its threads' time inside Embree's "

@@ -21,7 +21,7 @@ struct Chunk {
 /// One part of the top of the tree that is being split, together with all others of its depth.
 template <class T>
 struct Cut {
-  Part<T> part, left, right;
+  Part<T> part, left = Part<T>::of(0, 0, 0, 0), right = left;
   BinMapping<T> mapping;
   Bins<T> bins{most_bins};
   std::optional<SplitPlane<T>> plane;

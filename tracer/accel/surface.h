@@ -110,8 +110,7 @@ struct TriangleShape {
   /// its start farther from the edges than the clearance lifts it.
   [[nodiscard]] bool has_all_corners_ahead_of(const Ray<T>& ray) const {
     const Vec3<T>& d = ray.direction;
-    const T longest = max_abs(d);
-    const int axis = std::abs(d.x) == longest ? 0 : std::abs(d.y) == longest ? 1 : 2;
+    const int axis = longest_axis(d);
     const auto is_ahead = [&](const Vec3<T>& corner) {
       return d[axis] > 0 ? corner[axis] > ray.origin[axis] : corner[axis] < ray.origin[axis];
     };

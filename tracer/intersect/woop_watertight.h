@@ -59,8 +59,7 @@ struct WoopWatertight {
     T along, by_x, by_y;
 
     explicit Shear(const Vec3<T>& d) {
-      const T size_x = std::abs(d.x), size_y = std::abs(d.y), size_z = std::abs(d.z);
-      z = size_x > size_y && size_x > size_z ? 0 : size_y > size_z ? 1 : 2;
+      z = longest_axis(d);
       x = z == 0 ? 2 : 0;
       y = z == 1 ? 2 : 1;
       along = T(1) / d[z];

@@ -39,6 +39,13 @@ template <class T>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// The axis along which `a` is longest; of equal ones the last.
+template <class T>
+[[nodiscard]] int longest_axis(const Vec3<T>& a) {
+  const T x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z);
+  return x > y && x > z ? 0 : y > z ? 1 : 2;
+}
+
 template <class T>
 [[nodiscard]] T length(const Vec3<T>& a) {
   return std::sqrt(dot(a, a));

@@ -152,8 +152,10 @@ class PacketLoader {
     uint32_t octant = 0;
     for (uint32_t axis = 0; axis < 3; ++axis) octant |= (reciprocals[axis].most < 0 ? 1u : 0u) << axis;
     packet.beam.limit = limits.get().most * widening;
-    if (any && extent(to) < extent(from)) {
-      turn_round(packet.beam, from, to, reciprocals);
+    const float by = 32 * unit_roundoff<float> * (largest(from) + largest(to) + size_);
+    // Ends of which one is not finite never take less room.
+    if (any && extent(to) + 2 * by < extent(from)) {
+      turn_round(packet.beam, to, by, reciprocals);
     } else {
       for (size_t axis = 0; axis < 3; ++axis) packet.beam.set_axis(axis, reciprocals[axis], from[axis]);
     }
@@ -200,9 +202,8 @@ class PacketLoader {
     return size;
   }
 
-  HWY_INLINE void turn_round(Beam& beam, const Extremes (&from)[3], const Extremes (&to)[3],
-                             const Extremes (&reciprocals)[3]) const {
-    const float by = 32 * unit_roundoff<float> * (largest(from) + largest(to) + size_);
+  HWY_INLINE static void turn_round(Beam& beam, const Extremes (&to)[3], float by,
+                                    const Extremes (&reciprocals)[3]) {
     for (size_t axis = 0; axis < 3; ++axis) {
       const Extremes moved{to[axis].least - by, to[axis].most + by};
       beam.set_axis(axis, {-reciprocals[axis].most, -reciprocals[axis].least}, moved);

@@ -231,8 +231,8 @@ class Collapser {
   }
 
  private:
-  WideTree<width> join(WideTree<width> tree, std::span<const Pending> roots,
-                       const std::vector<Emitter<width>>& parts) const {
+  [[nodiscard]] WideTree<width> join(WideTree<width> tree, std::span<const Pending> roots,
+                                     const std::vector<Emitter<width>>& parts) const {
     std::vector<Place> places;
     size_t node_count = tree.nodes.size(), block_count = tree.block_goes_on.size();
     for (size_t i = 0; i < parts.size(); ++i) {

@@ -63,9 +63,9 @@ class CollapsePlan {
   /// there cannot be.
   struct Plan {
     std::array<float, width> cost;
-    std::array<int8_t, width> left;
+    std::array<int16_t, width> left;
     uint32_t item_count, sphere_count;
-    int8_t most;
+    int16_t most;
     bool is_leaf;
     [[nodiscard]] bool is_one_kind() const { return sphere_count == 0 || sphere_count == item_count; }
   };
@@ -89,7 +89,8 @@ class CollapsePlan {
     p.sphere_count = 0;
     for (uint32_t i = n.first; i < n.first + n.count; ++i)
       p.sphere_count += binary_.order[i] < options_.sphere_count ? 1 : 0;
-    p.cost.fill(n.box.half_area() * block_cost * static_cast<float>((n.count + width - 1) / width));
+    const uint32_t blocks = (n.count + width - 1) / width;
+    p.cost.fill(n.box.half_area() * block_cost * static_cast<float>(blocks));
     p.left.fill(-1);
     p.left[0] = 0;
     p.most = 1;
@@ -98,15 +99,15 @@ class CollapsePlan {
 
   struct Share {
     float cost;
-    int8_t left;
+    int16_t left;
   };
   /// The cheapest way to share `slots` among two subtrees, of those that leave no slot empty.
   static Share share(const Plan& left, const Plan& right, int slots) {
-    Share best{never, static_cast<int8_t>(std::max(1, slots - right.most))};
+    Share best{never, static_cast<int16_t>(std::max(1, slots - right.most))};
     for (int l = best.left; l < slots && l <= left.most; ++l) {
       const float cost =
           left.cost[static_cast<size_t>(l - 1)] + right.cost[static_cast<size_t>(slots - l - 1)];
-      if (cost < best.cost) best = {cost, static_cast<int8_t>(l)};
+      if (cost < best.cost) best = {cost, static_cast<int16_t>(l)};
     }
     return best;
   }
@@ -117,7 +118,7 @@ class CollapsePlan {
     const Plan &left = plans_[n.first], &right = plans_[n.first + 1];
     p.item_count = left.item_count + right.item_count;
     p.sphere_count = left.sphere_count + right.sphere_count;
-    p.most = static_cast<int8_t>(std::min(width, left.most + right.most));
+    p.most = static_cast<int16_t>(std::min(width, left.most + right.most));
     const float area = n.box.half_area();
     const bool may_be_leaf = options_.merges_leaves && p.is_one_kind() && p.item_count <= width;
     const float as_leaf = may_be_leaf ? area * block_cost : never;
@@ -133,7 +134,7 @@ class CollapsePlan {
                                         : Share{never, -1};
       const bool pays = s.cost < p.cost[k - 1];
       p.cost[k] = pays ? s.cost : p.cost[k - 1];
-      p.left[k] = pays ? s.left : int8_t{-1};
+      p.left[k] = pays ? s.left : int16_t{-1};
     }
   }
 

@@ -78,7 +78,7 @@ HWY_INLINE hn::Mask<D> is_hit(D, const WatertightHits<D>& hits) {
   return hits.mask;
 }
 
-/// Swaps the axis along which the direction is longest for z. One ray's is the same in all lanes, but a
+/// Swaps the direction's `longest_axis` for z. One ray's is the same in all lanes, but a
 /// choice without branches costs less than a guess that fails.
 template <class D>
 class LongestAxis {

@@ -77,6 +77,7 @@ class Packets {
   }
 
  private:
+  static_assert(sizeof(Packet) % lane_count == 0 && batch_lanes % packet_size == 0);
   static constexpr size_t test_count = packets_in_flight * lane_count;
 
   HWY_INLINE Packet& packet_at(uint32_t offset) const {

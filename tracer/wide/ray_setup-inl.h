@@ -31,9 +31,7 @@ struct alignas(64) Slot : StackPlace {
   uint32_t ray;
   float t;  // the nearest hit so far
   uint32_t id;
-  uint32_t block;                  // where triangles are hit, if they are accepted,
-  alignas(32) float distances[8];  // at these distances; infinity: not hit
-  uint32_t bottom;                 // of its stack
+  alignas(32) float distances[8];  // at which the block's triangles are hit, if accepted; infinity: not hit
 };
 
 /// The ray of a slot for what is computed outside of lanes.

@@ -14,12 +14,12 @@ namespace HWY_NAMESPACE {
 
 inline constexpr WideChild sentinel = leaf_bit;  // the block without primitives: the end of a stack
 
-/// What is in flight knows where its stack is: `bottom`, `top` (the first free entry), and `current`, popped
-/// last.
+/// What is in flight knows where its stack is, from `bottom` to before `top`, what was popped last, and which
+/// block of a leaf was visited last.
 struct StackPlace {
   uint32_t top, bottom;
   WideChild current;
-  uint32_t block;  // visited last
+  uint32_t block;
 };
 
 class Stacks {

@@ -6,6 +6,7 @@
 #include "tracer/paths/path_end.h"
 #include "tracer/render.h"
 #include "tracer/sample/pattern.h"
+#include "tracer/sample/sample_walk.h"
 #include "tracer/scene/view.h"
 #include "tracer/shade/lighting.h"
 #include "tracer/wide/hit_points.h"
@@ -75,30 +76,6 @@ class Staged final : public Renderer {
 
   struct Offset {
     float x, y;
-  };
-
-  /// Goes through a tile's samples, pixel by pixel, without dividing.
-  struct SampleWalk {
-    int x, y;
-    size_t subpixel = 0;
-
-    SampleWalk(const Tile& tile, size_t subpixels)
-        : x(tile.x), y(tile.y), left_(tile.x), right_(tile.x + tile.width), subpixels_(subpixels) {}
-
-    /// Whether the next sample is another pixel's.
-    bool next() {
-      if (++subpixel < subpixels_) return false;
-      subpixel = 0;
-      if (++x == right_) {
-        x = left_;
-        y++;
-      }
-      return true;
-    }
-
-   private:
-    int left_, right_;
-    size_t subpixels_;
   };
 
   struct Path {

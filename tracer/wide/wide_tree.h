@@ -31,8 +31,9 @@ struct alignas(64) WideNode {
   uint32_t far_to_near[8];
 };
 
-/// Up to `width` primitives of one leaf, in the first `count` lanes; the others hold zeros and `no_hit_id`.
-/// Of triangles all that decides on hits: nothing else is fetched until one is shaded.
+/// Up to `width` primitives of one leaf, in the first `count` lanes; the others hold `no_hit_id`. Lanes
+/// without a triangle hold corners of NaN, which no method hits. Of triangles all that decides on hits:
+/// nothing else is fetched until one is shaded.
 template <int width>
 struct alignas(64) WideBlock {
   float corners[9][width];  // x, y, z of A, of B, of C
