@@ -2,11 +2,10 @@
 
 #include <malloc.h>
 
-#include <atomic>
-#include <thread>
 #include <type_traits>
 
 #include "experiments/clock.h"
+#include "experiments/peers/shared_work.h"
 #include "tracer/wide/wide_core.h"
 
 namespace raysweep {
@@ -56,20 +55,10 @@ class OurContestant final : public Contestant {
   KernelScratch scratch_;
 };
 
-/// Work shared by threads that live as long as it lasts.
 ForEach shared_by(int threads) {
   if (threads == 1) return one_after_the_other;
   return [threads](size_t count, const std::function<void(size_t)>& body) {
-    std::atomic<size_t> next{0};
-    const auto work = [&] {
-      // Relaxed: who gets which number is all that is asked; joining orders what the bodies wrote.
-      for (size_t i = next.fetch_add(1, std::memory_order_relaxed); i < count;
-           i = next.fetch_add(1, std::memory_order_relaxed))
-        body(i);
-    };
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
+    share_work(threads, count, [&](size_t i, size_t) { body(i); });
   };
 }
 

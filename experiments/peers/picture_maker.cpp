@@ -1,11 +1,10 @@
 #include "experiments/peers/picture_maker.h"
 
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 #include "experiments/clock.h"
+#include "experiments/peers/shared_work.h"
 
 namespace raysweep {
 
@@ -30,22 +29,11 @@ Tile PictureMaker::tile(size_t index) const {
 }
 
 double PictureMaker::run(size_t stride) {
-  // Relaxed: a counter that orders nothing; what tiles hold is handed over where threads are joined.
-  std::atomic<size_t> next{0};
-  const auto take_tiles = [&](Workspace& workspace) {
-    for (;;) {
-      const size_t index = next.fetch_add(1, std::memory_order_relaxed) * stride;
-      if (index >= tile_count()) return;
-      (void)renderer_->render(tile(index), film_, workspace);
-    }
-  };
+  const size_t count = (tile_count() + stride - 1) / stride;
   const double begin = now_seconds();
-  {
-    std::vector<std::jthread> others;
-    for (size_t i = 1; i < workspaces_.size(); ++i)
-      others.emplace_back([&, i] { take_tiles(*workspaces_[i]); });
-    take_tiles(*workspaces_.front());
-  }
+  share_work(static_cast<int>(workspaces_.size()), count, [&](size_t i, size_t worker) {
+    (void)renderer_->render(tile(i * stride), film_, *workspaces_[worker]);
+  });
   return now_seconds() - begin;
 }
 

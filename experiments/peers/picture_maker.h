@@ -1,12 +1,12 @@
-// Whole pictures by one renderer and a few threads that share its tiles by a counter: as little of a
-// scheduler as there can be, the same for every tracer.
+// Whole pictures by one renderer and a few threads that share its tiles, in the same way for every tracer.
 #pragma once
 
 #include "tracer/render.h"
 
 namespace raysweep {
 
-/// The side of a tile. Of one sample a pixel, a tile's samples make one batch of the staged renderers.
+/// The side of a tile. Of one sample a pixel and few lights, a tile's samples make one batch of the staged
+/// renderers.
 inline constexpr int picture_tile = 32;
 
 class PictureMaker {
@@ -31,8 +31,7 @@ class PictureMaker {
 
 struct PixelDifferences {
   size_t pixels = 0;
-  double largest =
-      0;  // of any channel, in film units; infinite where a channel is no number in one film alone
+  double largest = 0;  // of any channel, in film units; infinite where one film alone has no number
 };
 
 /// Of two films of the same size, bit for bit.

@@ -45,7 +45,8 @@ class EmbreeCore {
 
   [[nodiscard]] const EmbreeShapes& primitives() const { return *geometry_.shapes; }
   [[nodiscard]] std::optional<Hit<float>> closest(const Ray<float>& ray) const;
-  /// As WideCore's. A ray that Embree does not take meets no triangle.
+  /// As WideCore's, but of rays with something in their way the hit itself is not told: the first triangle's
+  /// id stands for all, at the ray's limit. A ray that Embree does not take meets no triangle.
   void closest(const RayBatch& rays, HitBatch& hits, EmbreeScratch& scratch) const;
   void occluded(const RayBatch& rays, HitBatch& hits, EmbreeScratch& scratch) const;
 

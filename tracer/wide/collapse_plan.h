@@ -59,8 +59,8 @@ class CollapsePlan {
   static constexpr float never = std::numeric_limits<float>::infinity();
 
   /// `cost[k − 1]`: of the binary node's subtree as at most k children of one node. `left[k − 1]`: how many
-  /// of them its left child gets; 0: it stays one child; −1: k − 1 children are no dearer. More than `most`
-  /// there cannot be.
+  /// of them its left child gets; −1: k − 1 children are no dearer. `left[0]`: how many of `width` it gets
+  /// where this one child is a wide node; 0 for a leaf. More than `most` there cannot be.
   struct Plan {
     std::array<float, width> cost;
     std::array<int16_t, width> left;

@@ -84,3 +84,5 @@ inline void look_at_light(const RayBatch& rays, const HitPoints& points, const V
 }
 
 }  // namespace raysweep
+
+#undef RAYSWEEP_INDEPENDENT_ITERATIONS
