@@ -12,9 +12,10 @@
 
 namespace raysweep {
 
-/// Counts its tests: what a core visits.
+/// Counts its tests, and nodes: what a core visits.
 struct CountingMethod : MollerTrumbore {
-  static inline long tests = 0;
+  static inline long tests = 0, nodes = 0;
+  static void visit_node() { nodes++; }
   template <class T>
   static std::optional<TriangleHit<T>> intersect(const Ray<T>& ray, const Prepared<T>& triangle) {
     tests++;

@@ -127,6 +127,7 @@ class ScalarCore {
       if (entry.enter > limit) continue;
       uint32_t current = entry.node;
       while (!nodes[current].is_leaf()) {
+        if constexpr (requires { Method::visit_node(); }) Method::visit_node();
         const uint32_t left = nodes[current].first;
         const Interval<T> a = slab(nodes[left].box, slab_ray, t_min),
                           b = slab(nodes[left + 1].box, slab_ray, t_min);

@@ -24,7 +24,8 @@ struct TriangleHit {
 
 /// A method. `prepare` runs once per triangle, `intersect` per test; a hit has t > 0, β ≥ 0, γ ≥ 0, β + γ ≤
 /// 1, edges and corners included. NaN anywhere is a miss. `is_watertight`: no ray passes between triangles
-/// that share an edge or a corner, whatever is rounded.
+/// that share an edge or a corner, whatever is rounded. A method that counts may have `visit_node()`, which
+/// is called for each node whose children's boxes are compared with a ray.
 template <class M, class T>
 concept Intersector = requires(const Triangle<T>& triangle, const Ray<T>& ray,
                                const typename M::template Prepared<T>& prepared) {

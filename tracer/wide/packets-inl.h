@@ -39,6 +39,7 @@ class Packets {
         hits_(hits),
         ray_count_(rays.size),
         alone_(scratch.groups),
+        count_(scratch.visits),
         loader_(rays, hits, geometry.tree.bounds) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     packets_ = static_cast<char*>(
@@ -108,6 +109,7 @@ class Packets {
     if (packet.current != sentinel && packet.budget >= 0) return enlist(offset);
     save(packet);
     if (packet.current != sentinel) alone_.push_back(packet.first);
+    RAYSWEEP_COUNT(count_, Visited::packet_given_up, packet.current != sentinel ? 1 : 0);
     begin_next(offset);
   }
 
@@ -117,11 +119,13 @@ class Packets {
       const size_t first = next_;
       next_ += packet_size;
       if (loader_.load(packet, first)) {
+        RAYSWEEP_COUNT(count_, Visited::packet_begun);
         packet.budget = packet_budget;
         packet.has_news = 0;
         Stacks::restart(packet);
         return enlist(offset);
       }
+      RAYSWEEP_COUNT(count_, Visited::packet_refused);
       alone_.push_back(static_cast<uint32_t>(first));
     }
   }
@@ -149,6 +153,7 @@ class Packets {
     const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + packet.beam.near_plane[3]);
     stacks_.push_in_order(packet, children, meeting.enter, meeting.met, far_to_near);
     packet.budget--;
+    RAYSWEEP_COUNT(count_, Visited::packet_node);
     go_on(offset);
   }
 
@@ -161,8 +166,10 @@ class Packets {
     const bool is_spheres = (packet.current & sphere_bit) != 0;
     const Block& block = blocks_[packet.block];
     packet.more = block.more;
+    RAYSWEEP_COUNT(count_, Visited::packet_block);
     stacks_.leave_block(packet, block.more);
     if (is_spheres) {
+      RAYSWEEP_COUNT(count_, Visited::packet_test, block.count);
       for (uint32_t lane = 0; lane < block.count; ++lane)
         meet_sphere<any>(primitives_, packet, block.id[lane]);
       packet.budget -= static_cast<int32_t>(block.count);
@@ -191,6 +198,7 @@ class Packets {
     const auto [offset, lane] = test_of(word);
     const Packet& packet = packet_at(offset);
     const Corners<RayTag> corners = corners_in(blocks_[packet.block], lane);
+    RAYSWEEP_COUNT(count_, Visited::packet_test);
     RayMask is_met = hn::FirstN(d, 0);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
       const auto found =
@@ -215,6 +223,7 @@ class Packets {
     const Block& block = blocks_[packet.block];
     const Corners<RayTag> corners = corners_in(block, lane);
     const Lanes3<RayTag> normal = spread(block.normal, lane);
+    RAYSWEEP_COUNT(count_, Visited::packet_look);
     const LaneBoxes<RayTag> boxes = boxes_of(d, corners);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
       const RayLanes t = hn::Load(d, distances + at);
@@ -267,6 +276,7 @@ class Packets {
   HitBatch& hits_;
   const size_t ray_count_;
   std::vector<uint32_t>& alone_;
+  [[no_unique_address]] const VisitCounter count_;
   const PacketLoader<any> loader_;
   char* packets_;
   Stacks stacks_;

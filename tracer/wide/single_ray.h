@@ -52,6 +52,7 @@ bool traverse(const WideGeometry<Method, width>& geometry, const SlabRay<float>&
       continue;
     }
     const WideNode<width>& node = geometry.tree.nodes[entry.child];
+    if constexpr (requires { Method::visit_node(); }) Method::visit_node();
     const ChildIntervals<width> in(node, ray, t_min);
     for (size_t i = 0; i < width; ++i) {
       const size_t child = (node.far_to_near[octant] >> (i * WideNode<width>::order_bits)) & (width - 1);

@@ -36,6 +36,7 @@ class Stream {
         blocks_(geometry.blocks.data()),
         rays_(rays),
         hits_(hits),
+        count_(scratch.visits),
         chooser_(rays, hits, geometry.tree.bounds, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     slots_ = static_cast<char*>(
@@ -122,9 +123,11 @@ class Stream {
     slot.id = hits_.id[i];
     slot.limit = slot.t * widening;
     Stacks::restart(slot);
+    RAYSWEEP_COUNT(count_, Visited::ray_begun);
   }
 
   HWY_INLINE void visit_nodes(uint32_t count) {
+    RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Floats d;
     const Words dw;
     const FloatLanes wider = hn::Set(d, widening);
@@ -163,12 +166,14 @@ class Stream {
   HWY_INLINE void visit_leaves() {
     const Floats d;
     const uint32_t count = leaf_count_;
+    RAYSWEEP_COUNT(count_, Visited::ray_block, count);
     leaf_count_ = 0;
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t offset = leaves_[i];
       Slot& slot = slot_at(offset);
       const uint32_t index = child_index(slot.current);
       const Block& block = blocks_[index];
+      RAYSWEEP_COUNT(count_, Visited::ray_test, block.count);
       const auto found =
           solve(Method{}, d, broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
                 broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]), corners_of(block));
@@ -188,6 +193,7 @@ class Stream {
   }
 
   HWY_INLINE void look_at_candidates(uint32_t offset) {
+    RAYSWEEP_COUNT(count_, Visited::ray_look);
     Slot& slot = slot_at(offset);
     const Block& block = blocks_[slot.block];
     const Hit<float> hit = block.id[0] < primitives_.first_triangle() ? nearest_sphere(slot, block)
@@ -271,6 +277,7 @@ class Stream {
   Stacks stacks_;
   uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
+  [[no_unique_address]] const VisitCounter count_;
   Chooser<any> chooser_;
 };
 

@@ -1,0 +1,77 @@
+// What kernels visit on their way through a wide tree, counted where RAYSWEEP_COUNT_VISITS is set. Elsewhere
+// nothing of it is compiled: it would cost what is measured.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace raysweep {
+
+/// A node is visited when its children's boxes are compared with a ray or a packet, a block when its
+/// primitives, or their boxes, are. A test is one pair of a primitive and a ray, or of a primitive and a
+/// packet, whose rays all meet it then. A look is what follows where a test has found a hit: whether it
+/// counts.
+enum class Visited {
+  ray_begun,  // alone: also of a group that gave up or never went together
+  ray_node,
+  ray_block,
+  ray_test,
+  ray_look,  // of all that one ray hits in a block
+  packet_begun,
+  packet_refused,   // a group whose rays go different ways, or are not regular
+  packet_given_up,  // its budget was spent
+  packet_node,
+  packet_block,
+  packet_test,
+  packet_look,  // of one triangle
+};
+inline constexpr std::array visit_names{"ray_begun",   "ray_node",     "ray_block",      "ray_test",
+                                        "ray_look",    "packet_begun", "packet_refused", "packet_given_up",
+                                        "packet_node", "packet_block", "packet_test",    "packet_look"};
+
+#ifdef RAYSWEEP_COUNT_VISITS
+
+inline constexpr bool counts_visits = true;
+
+class VisitCounts {
+ public:
+  [[nodiscard]] uint64_t operator[](Visited what) const { return counts_[static_cast<size_t>(what)]; }
+  [[nodiscard]] uint64_t& operator[](Visited what) { return counts_[static_cast<size_t>(what)]; }
+
+  friend bool operator==(const VisitCounts&, const VisitCounts&) = default;
+
+ private:
+  std::array<uint64_t, visit_names.size()> counts_{};
+};
+
+/// What RAYSWEEP_COUNT counts with.
+class VisitCounter {
+ public:
+  explicit VisitCounter(VisitCounts& counts) : counts_(counts) {}
+  void operator()(Visited what, uint64_t count = 1) const { counts_[what] += count; }
+
+ private:
+  VisitCounts& counts_;
+};
+
+#define RAYSWEEP_COUNT(counter, ...) counter(__VA_ARGS__)
+
+#else
+
+inline constexpr bool counts_visits = false;
+
+struct VisitCounts {
+  [[nodiscard]] uint64_t operator[](Visited) const { return 0; }
+};
+
+struct VisitCounter {
+  explicit VisitCounter(VisitCounts&) {}
+};
+
+// Not even a call of nothing: that would change how compilers allot registers.
+#define RAYSWEEP_COUNT(counter, ...) static_cast<void>(0)
+
+#endif
+
+}  // namespace raysweep
