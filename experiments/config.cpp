@@ -9,6 +9,7 @@
 #include "experiments/cell_factors.h"
 #include "experiments/config_toml.h"
 #include "experiments/errors.h"
+#include "experiments/toml_reader.h"
 #include "tracer/scene/scenes.h"
 
 namespace raysweep {
@@ -16,9 +17,10 @@ namespace raysweep {
 namespace {
 
 /// Walks a TOML document, collecting a Config and every error on the way.
-class Parser {
+class Parser : public TomlReader {
  public:
-  Parser(Config& config, const MachineSize& machine) : config_(config), machine_(machine) {}
+  Parser(Config& config, const MachineSize& machine)
+      : TomlReader(config.file), config_(config), machine_(machine) {}
 
   void read(const toml::table& root) {
     check_keys(root, "", {"experiment", "title", "kind", "scene", "sweep", "measure"});
@@ -35,60 +37,7 @@ class Parser {
     if (const auto* measure = section(root, "measure")) read_measure(*measure);
   }
 
-  void fail(const toml::node& at, const std::string& sentence) {
-    const toml::source_region& source = at.source();
-    errors_ +=
-        fmt::format("{}:{}: {}\n", source.path ? *source.path : config_.file, source.begin.line, sentence);
-  }
-
-  [[nodiscard]] const std::string& errors() const { return errors_; }
-
  private:
-  void fail(toml::node_view<const toml::node> at, const std::string& sentence) { fail(*at.node(), sentence); }
-
-  void check_keys(const toml::table& table, const std::string& where,
-                  const std::vector<std::string_view>& known) {
-    for (const auto& [key, value] : table) {
-      if (std::ranges::find(known, key.str()) != known.end()) continue;
-      fail(value,
-           fmt::format("unknown key \"{}{}\"; possible: {}", where, key.str(), fmt::join(known, ", ")));
-    }
-  }
-
-  const toml::table* section(const toml::table& root, std::string_view name) {
-    const toml::node* const node = root.get(name);
-    if (!node) return nullptr;
-    if (!node->is_table()) fail(*node, fmt::format("\"{}\" must be a table: [{}]", name, name));
-    return node->as_table();
-  }
-
-  std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise) {
-    const toml::node* const node = table.get(key);
-    if (!node) return otherwise;
-    if (const auto text = node->value_exact<std::string>()) return *text;
-    fail(*node, fmt::format("{} must be a string in quotes", key));
-    return otherwise;
-  }
-
-  double number_or(const toml::table& table, std::string_view key, double otherwise, double low,
-                   double high) {
-    const toml::node* const node = table.get(key);
-    if (!node) return otherwise;
-    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
-    if (number && *number >= low && *number <= high) return *number;
-    fail(*node, fmt::format("{} must be a number from {} to {}", key, low, high));
-    return otherwise;
-  }
-
-  int integer_or(const toml::table& table, std::string_view key, int otherwise, int low, int high) {
-    const toml::node* const node = table.get(key);
-    if (!node) return otherwise;
-    const auto number = node->value_exact<int64_t>();
-    if (number && *number >= low && *number <= high) return static_cast<int>(*number);
-    fail(*node, fmt::format("{} must be a whole number from {} to {}", key, low, high));
-    return otherwise;
-  }
-
   void read_scene(const toml::table& scene) {
     check_keys(scene, "scene.", {"name", "file", "modes"});
     if (scene.contains("name") && scene.contains("file"))
@@ -257,18 +206,8 @@ class Parser {
     m.timeout_seconds = duration_or(measure, "timeout", m.timeout_seconds);
   }
 
-  double duration_or(const toml::table& table, std::string_view key, double otherwise) {
-    const toml::node* const node = table.get(key);
-    if (!node) return otherwise;
-    const double duration = parse_duration(node->value_exact<std::string>().value_or(""));
-    if (duration == 0)
-      fail(*node, fmt::format("{} must be a duration such as \"90 s\", \"10 min\" or \"2 h\"", key));
-    return duration;
-  }
-
   Config& config_;
   const MachineSize machine_;
-  std::string errors_;
 };
 
 }  // namespace

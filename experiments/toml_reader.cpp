@@ -1,0 +1,68 @@
+#include "experiments/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/config.h"
+
+namespace raysweep {
+
+void TomlReader::fail(const toml::node& at, const std::string& sentence) {
+  const toml::source_region& source = at.source();
+  errors_ += fmt::format("{}:{}: {}\n", source.path ? *source.path : file_, source.begin.line, sentence);
+}
+
+void TomlReader::check_keys(const toml::table& table, const std::string& where,
+                            const std::vector<std::string_view>& known) {
+  for (const auto& [key, value] : table) {
+    if (std::ranges::find(known, key.str()) != known.end()) continue;
+    fail(value, fmt::format("unknown key \"{}{}\"; possible: {}", where, key.str(), fmt::join(known, ", ")));
+  }
+}
+
+const toml::table* TomlReader::section(const toml::table& root, std::string_view name) {
+  const toml::node* const node = root.get(name);
+  if (!node) return nullptr;
+  if (!node->is_table()) fail(*node, fmt::format("\"{}\" must be a table: [{}]", name, name));
+  return node->as_table();
+}
+
+std::string TomlReader::text_or(const toml::table& table, std::string_view key,
+                                const std::string& otherwise) {
+  const toml::node* const node = table.get(key);
+  if (!node) return otherwise;
+  if (const auto text = node->value_exact<std::string>()) return *text;
+  fail(*node, fmt::format("{} must be a string in quotes", key));
+  return otherwise;
+}
+
+double TomlReader::number_or(const toml::table& table, std::string_view key, double otherwise, double low,
+                             double high) {
+  const toml::node* const node = table.get(key);
+  if (!node) return otherwise;
+  const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+  if (number && *number >= low && *number <= high) return *number;
+  fail(*node, fmt::format("{} must be a number from {} to {}", key, low, high));
+  return otherwise;
+}
+
+int TomlReader::integer_or(const toml::table& table, std::string_view key, int otherwise, int low, int high) {
+  const toml::node* const node = table.get(key);
+  if (!node) return otherwise;
+  const auto number = node->value_exact<int64_t>();
+  if (number && *number >= low && *number <= high) return static_cast<int>(*number);
+  fail(*node, fmt::format("{} must be a whole number from {} to {}", key, low, high));
+  return otherwise;
+}
+
+double TomlReader::duration_or(const toml::table& table, std::string_view key, double otherwise) {
+  const toml::node* const node = table.get(key);
+  if (!node) return otherwise;
+  const double duration = parse_duration(node->value_exact<std::string>().value_or(""));
+  if (duration == 0)
+    fail(*node, fmt::format("{} must be a duration such as \"90 s\", \"10 min\" or \"2 h\"", key));
+  return duration;
+}
+
+}  // namespace raysweep

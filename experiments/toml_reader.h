@@ -1,0 +1,37 @@
+// Reads a TOML document value by value, and collects what is wrong with it on the way.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raysweep {
+
+class TomlReader {
+ public:
+  /// `file` is told where a node does not know its own.
+  explicit TomlReader(std::string file) : file_(std::move(file)) {}
+
+  void fail(const toml::node& at, const std::string& sentence);
+  void fail(toml::node_view<const toml::node> at, const std::string& sentence) { fail(*at.node(), sentence); }
+  /// One line each, with file and line.
+  [[nodiscard]] const std::string& errors() const { return errors_; }
+
+  /// `where` is the table's name with its dot.
+  void check_keys(const toml::table& table, const std::string& where,
+                  const std::vector<std::string_view>& known);
+  /// Null if there is none.
+  const toml::table* section(const toml::table& root, std::string_view name);
+  std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise);
+  double number_or(const toml::table& table, std::string_view key, double otherwise, double low, double high);
+  int integer_or(const toml::table& table, std::string_view key, int otherwise, int low, int high);
+  /// In seconds.
+  double duration_or(const toml::table& table, std::string_view key, double otherwise);
+
+ private:
+  std::string file_, errors_;
+};
+
+}  // namespace raysweep
