@@ -14,6 +14,7 @@ template <class T, class Method>
 class M11Core {
  public:
   using Real = T;
+  using Shapes = Primitives<T, Method, TrianglesAtHand<T>>;
 
   M11Core(const Scene& scene, const std::string& accel, int leaf_size) : primitives_(scene) {
     for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
@@ -31,7 +32,7 @@ class M11Core {
   M11Core(const M11Core&) = delete;  // objects point into it
   M11Core& operator=(const M11Core&) = delete;
 
-  [[nodiscard]] const Primitives<T, Method>& primitives() const { return primitives_; }
+  [[nodiscard]] const Shapes& primitives() const { return primitives_; }
 
   /// The first hit after `after` with t ≤ `t_max`. A ray with a number that is not finite hits nothing.
   [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, const Hit<T>& after = Hit<T>::start(),
@@ -70,10 +71,10 @@ class M11Core {
     Hit<T> after;
   };
   struct Object {
-    Object(const Primitives<T, Method>& primitives, uint32_t number) : all(primitives), id(number) {}
+    Object(const Shapes& primitives, uint32_t number) : all(primitives), id(number) {}
     virtual ~Object() = default;
     [[nodiscard]] virtual std::optional<T> intersect(const Query& query) const = 0;
-    const Primitives<T, Method>& all;
+    const Shapes& all;
     const uint32_t id;
   };
   struct PlaneObject final : Object {
@@ -89,11 +90,12 @@ class M11Core {
     }
   };
   struct TriangleObject final : Object {
-    using Object::Object;
+    TriangleObject(const Shapes& primitives, uint32_t number)
+        : Object(primitives, number), prepared(primitives.triangle(number)) {}
     [[nodiscard]] std::optional<T> intersect(const Query& query) const override {
-      return this->all.intersect_triangle(this->id, this->all.triangle(this->id), query.ray, query.slab_ray,
-                                          query.after);
+      return this->all.intersect_triangle(this->id, prepared, query.ray, query.slab_ray, query.after);
     }
+    const typename Shapes::Prepared prepared;
   };
   using Objects = std::vector<std::unique_ptr<Object>>;
 
@@ -161,7 +163,7 @@ class M11Core {
     return visit_inside(*node.left, query, t_max, visit) || visit_inside(*node.right, query, t_max, visit);
   }
 
-  Primitives<T, Method> primitives_;
+  Shapes primitives_;
   Objects unbounded_;
   std::unique_ptr<TreeNode> root_;
 };

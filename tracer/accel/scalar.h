@@ -13,6 +13,7 @@ template <class T, class Method>
 class ScalarCore {
  public:
   using Real = T;
+  using Shapes = Primitives<T, Method, TrianglesAtHand<T>>;
 
   ScalarCore(const Scene& scene, const std::string& accel, int leaf_size) : primitives_(scene) {
     tree_ = build_by_name<T>(accel, primitives_.boxes(), leaf_size);
@@ -23,7 +24,7 @@ class ScalarCore {
     for (const uint32_t i : tree_.order) leaf_items_.push_back(make_item(base + i));
   }
 
-  [[nodiscard]] const Primitives<T, Method>& primitives() const { return primitives_; }
+  [[nodiscard]] const Shapes& primitives() const { return primitives_; }
   [[nodiscard]] const Hierarchy<T>& tree() const { return tree_; }
 
   /// The first hit after `after` with t ≤ `t_max`. A ray with a number that is not finite hits nothing.
@@ -80,7 +81,7 @@ class ScalarCore {
   /// A primitive with its data at hand, in the order in which leaves are read; spheres leave `prepared`
   /// empty.
   struct Item {
-    typename Primitives<T, Method>::Prepared prepared;
+    typename Shapes::Prepared prepared;
     uint32_t id;
   };
 
@@ -150,7 +151,7 @@ class ScalarCore {
 
   static constexpr uint32_t no_node = ~0u;
 
-  Primitives<T, Method> primitives_;
+  Shapes primitives_;
   Hierarchy<T> tree_;
   std::vector<Item> leaf_items_;
 };

@@ -84,6 +84,63 @@ struct SphereShape {
   }
 };
 
+/// A triangle's edges and area, in double.
+template <class T>
+struct TriangleExtent {
+  std::array<double, 3> edge;  // lengths of those opposite to each corner
+  size_t apex;                 // opposite to the longest
+  Vec3d normal;                // as long as the area is large, twice
+  double area;                 // twice
+
+  explicit TriangleExtent(const Triangle<T>& t) {
+    const Vec3d a(t.a), b(t.b), c(t.c);
+    const std::array<Vec3d, 3> along{c - b, a - c, b - a};
+    for (size_t i = 0; i < 3; ++i) edge[i] = length(along[i]);
+    // Which edge is the longest nobody can guess: numbers, not branches.
+    const size_t of_two = edge[1] > edge[0] ? 1 : 0, is_third = edge[2] > edge[of_two] ? 1 : 0;
+    apex = of_two + is_third * (2 - of_two);
+    // The two shorter edges cancel least.
+    normal = cross(along[(apex + 2) % 3], -along[(apex + 1) % 3]);
+    area = length(normal);
+  }
+
+  /// Where the barycentric coordinate of `corner` is below this, rays start too near to the edge opposite. A
+  /// coordinate of 1 is an altitude away from it.
+  [[nodiscard]] T inset(size_t corner, T clearance) const {
+    constexpr double clearances = 4;  // keeps right at faces that meet at 15° or more
+    return static_cast<T>(std::min(0.25, clearances * static_cast<double>(clearance) * edge[corner] / area));
+  }
+};
+
+/// What hits and shading ask of a triangle besides its corners, and is not quickly found from them.
+template <class T>
+struct TriangleFace {
+  Vec3<T> normal;
+  T clearance = 0;
+  T inset = 0;
+
+  explicit TriangleFace(const Triangle<T>& t);
+};
+
+/// Let m be the largest absolute coordinates of the corners, by axis, and all errors be taken along the
+/// normal: × Σ|n|m. The point: 7 roundings of the barycentric sum (pbrt-v4, 6.8.5), 4 of coordinates that do
+/// not sum to 1; the ray's start: 1; the signed distance: 4 on |P − A| ≤ 2m; the rounded normal: 1 on 2m; a
+/// step from an edge: 2. Together 24. Where a thin triangle's cross product cancels, its normal errs by more:
+/// 8u·|e||f|/|e×f| in double, over the triangle's extent; e and f are the two shorter edges.
+template <class T>
+TriangleFace<T>::TriangleFace(const Triangle<T>& t) {
+  const TriangleExtent<T> extent(t);
+  if (!(extent.area > 0)) return;  // no surface: no ray is on one side of it
+  const size_t apex = extent.apex;
+  normal = Vec3<T>(extent.normal * (1 / extent.area));
+  const auto largest = [](T a, T b, T c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); };
+  const Vec3<T> m(largest(t.a.x, t.b.x, t.c.x), largest(t.a.y, t.b.y, t.c.y), largest(t.a.z, t.b.z, t.c.z));
+  const double normal_error =
+      8 * unit_roundoff<double> * extent.edge[(apex + 1) % 3] * extent.edge[(apex + 2) % 3] / extent.area;
+  clearance = gamma_bound<T>(24) * abs_dot(normal, m) + static_cast<T>(normal_error * extent.edge[apex]);
+  inset = extent.inset(apex, clearance);  // the longest edge has the widest
+}
+
 /// A triangle's corners and plane. Intersection methods find where a ray passes; on which side of the plane
 /// it started is decided here, once for all methods, so that it is certain for rays that start on the
 /// surface.
@@ -92,9 +149,12 @@ struct TriangleShape {
   Triangle<T> corners;
   Vec3<T> normal;
   T clearance;
-  Vec3<T> inset;  // where a barycentric coordinate is below this, rays start too near to its edge
+  T inset;  // the widest of all edges: see TriangleExtent
 
-  explicit TriangleShape(const Triangle<T>& t);
+  explicit TriangleShape(const Triangle<T>& t) : TriangleShape(t, TriangleFace<T>(t)) {}
+  /// `face` must be `t`'s.
+  TriangleShape(const Triangle<T>& t, const TriangleFace<T>& face)
+      : corners(t), normal(face.normal), clearance(face.clearance), inset(face.inset) {}
 
   [[nodiscard]] T signed_distance(const Vec3<T>& p) const { return dot(normal, p - corners.a); }
 
@@ -126,15 +186,20 @@ struct TriangleShape {
   [[nodiscard]] Surface<T> surface(const Ray<T>& ray, T beta, T gamma) const {
     const T alpha = 1 - beta - gamma;
     Vec3<T> p = corners.a * alpha + corners.b * beta + corners.c * gamma;
-    if (!(alpha >= inset.x && beta >= inset.y && gamma >= inset.z)) {
-      p += step_from_edge(corners.b, corners.c, corners.a, inset.x - alpha);
-      p += step_from_edge(corners.c, corners.a, corners.b, inset.y - beta);
-      p += step_from_edge(corners.a, corners.b, corners.c, inset.z - gamma);
-    }
+    if (!(alpha >= inset && beta >= inset && gamma >= inset)) step_inwards(p, alpha, beta, gamma);
     return facing(p, normal, clearance, ray.direction);
   }
 
  private:
+  /// Kept out of the way of the many hits that lie elsewhere.
+  [[gnu::noinline]] void step_inwards(Vec3<T>& p, T alpha, T beta, T gamma) const {
+    const TriangleExtent<T> extent(corners);
+    const auto least = [&](size_t corner) { return extent.inset(corner, clearance); };
+    p += step_from_edge(corners.b, corners.c, corners.a, least(0) - alpha);
+    p += step_from_edge(corners.c, corners.a, corners.b, least(1) - beta);
+    p += step_from_edge(corners.a, corners.b, corners.c, least(2) - gamma);
+  }
+
   /// `share` of the altitude from the edge PQ to `corner`, at right angles to the edge; nothing if not
   /// positive.
   [[nodiscard]] static Vec3<T> step_from_edge(const Vec3<T>& p, const Vec3<T>& q, const Vec3<T>& corner,
@@ -144,35 +209,6 @@ struct TriangleShape {
     return (towards - edge * (dot(towards, edge) / dot(edge, edge))) * share;
   }
 };
-
-/// Let m be the largest absolute coordinates of the corners, by axis, and all errors be taken along the
-/// normal: × Σ|n|m. The point: 7 roundings of the barycentric sum (pbrt-v4, 6.8.5), 4 of coordinates that do
-/// not sum to 1; the ray's start: 1; the signed distance: 4 on |P − A| ≤ 2m; the rounded normal: 1 on 2m; a
-/// step from an edge: 2. Together 24. Where a thin triangle's cross product cancels, its normal errs by more:
-/// 8u·|e||f|/|e×f| in double, over the triangle's extent; e and f are the two shorter edges, which cancel
-/// least.
-template <class T>
-TriangleShape<T>::TriangleShape(const Triangle<T>& t) : corners(t), normal(), clearance(0) {
-  const std::array<Vec3d, 3> p{Vec3d(t.a), Vec3d(t.b), Vec3d(t.c)};
-  // Edges opposite to each corner.
-  const std::array<double, 3> edge{length(p[2] - p[1]), length(p[0] - p[2]), length(p[1] - p[0])};
-  const auto apex = static_cast<size_t>(std::ranges::max_element(edge) - edge.begin());
-  const Vec3d &tip = p[apex], &left = p[(apex + 1) % 3], &right = p[(apex + 2) % 3];
-  const Vec3d n = cross(left - tip, right - tip);
-  const double area = length(n), longest = edge[apex];
-  if (!(area > 0)) return;  // no surface: no ray is on one side of it
-  normal = Vec3<T>(n * (1 / area));
-  const auto largest = [](T a, T b, T c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); };
-  const Vec3<T> m(largest(t.a.x, t.b.x, t.c.x), largest(t.a.y, t.b.y, t.c.y), largest(t.a.z, t.b.z, t.c.z));
-  const double normal_error = 8 * unit_roundoff<double> * edge[(apex + 1) % 3] * edge[(apex + 2) % 3] / area;
-  clearance = gamma_bound<T>(24) * abs_dot(normal, m) + static_cast<T>(normal_error * longest);
-  // A coordinate of 1 is an altitude away from its edge.
-  constexpr double clearances = 4;  // keeps right at faces that meet at 15° or more
-  const auto inset_from = [&](double opposite) {
-    return static_cast<T>(std::min(0.25, clearances * static_cast<double>(clearance) * opposite / area));
-  };
-  inset = {inset_from(edge[0]), inset_from(edge[1]), inset_from(edge[2])};
-}
 
 /// `direction`; if it is so flat that its computed cosine with `away` has the wrong sign, lifted by an ulp or
 /// two. Chosen number by number, which loops over many can do without a branch.

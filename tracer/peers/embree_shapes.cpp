@@ -34,7 +34,7 @@ Hit<float> EmbreeShapes::nearest_other(const Ray<float>& ray, const Hit<float>& 
   };
   for (uint32_t id = 0; id < others_.first_sphere(); ++id)
     keep(others_.intersect_plane(id, ray, Hit<float>::start()), id);
-  if (others_.boxes().empty()) return nearest;
+  if (others_.first_sphere() == others_.count()) return nearest;
   const SlabRay<float> slab_ray(ray);
   for (uint32_t id = others_.first_sphere(); id < first_triangle(); ++id)
     keep(others_.intersect_sphere(id, ray, slab_ray, Hit<float>::start()), id);

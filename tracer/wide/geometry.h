@@ -42,7 +42,7 @@ struct WideGeometry {
     if (block.id[lane] == no_hit_id) return;
     block.count = static_cast<uint32_t>(lane) + 1;
     if (block.id[lane] < primitives->first_triangle()) return;
-    const TriangleShape<float>& shape = primitives->triangle_shape(block.id[lane]);
+    const TriangleShape<float> shape = primitives->triangle_shape(block.id[lane]);
     const auto set_rows = [&](float(*rows)[width], const Vec3f& v) {
       rows[0][lane] = v.x;
       rows[1][lane] = v.y;

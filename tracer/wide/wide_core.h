@@ -34,8 +34,8 @@ class WideCore {
     if (!kernels_.single.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
     // Kernels may overflow with such boxes.
     const Box<float>& bounds = geometry_.tree.bounds;
-    is_tame_ =
-        std::max(max_abs(bounds.lower()), max_abs(bounds.upper())) <= 0x1p60f || primitives_.boxes().empty();
+    is_tame_ = std::max(max_abs(bounds.lower()), max_abs(bounds.upper())) <= 0x1p60f ||
+               primitives_.count() == primitives_.first_sphere();
   }
   WideCore(const WideCore&) = delete;  // the geometry points to the primitives
   WideCore& operator=(const WideCore&) = delete;
@@ -94,12 +94,11 @@ class WideCore {
     // time and gains nothing. Others are studied for their leaves.
     constexpr int small_leaf = width - 1;
     const bool merges_leaves = accel == "sah";
-    const Hierarchy<float> binary =
-        build_by_name<float>(accel, primitives_.boxes(), merges_leaves ? small_leaf : leaf_size,
-                             merges_leaves ? width : 1, for_each);
-    return collapse<width>(binary, primitives_.boxes(),
-                           {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves},
-                           for_each);
+    const UnsetVector<Box<float>> boxes = primitives_.boxes(for_each);
+    const Hierarchy<float> binary = build_by_name<float>(accel, boxes, merges_leaves ? small_leaf : leaf_size,
+                                                         merges_leaves ? width : 1, for_each);
+    return collapse<width>(
+        binary, boxes, {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves}, for_each);
   }
 
   /// Planes have no boxes: each ray meets all of them first.
