@@ -25,8 +25,8 @@ struct ChildIntervals {
   }
 };
 
-/// Shows `visit(id, limit)` every primitive whose boxes the ray is inside of at `t_min ≤ t ≤ limit`, roughly
-/// near to far; `visit` may lower `limit`. Stops and returns true when `visit` does.
+/// Shows `visit(block, lane, limit)` every primitive whose boxes the ray is inside of at `t_min ≤ t ≤ limit`,
+/// roughly near to far; `visit` may lower `limit`. Stops and returns true when `visit` does.
 template <class Method, int width, class Visit>
 bool traverse(const WideGeometry<Method, width>& geometry, const SlabRay<float>& ray, float t_min,
               float limit, Visit&& visit) {
@@ -44,8 +44,8 @@ bool traverse(const WideGeometry<Method, width>& geometry, const SlabRay<float>&
     if ((entry.child & leaf_bit) != 0) {
       for (size_t b = child_index(entry.child);; ++b) {
         const auto& block = geometry.blocks[b];
-        for (const uint32_t id : block.id) {
-          if (id != no_hit_id && visit(id, limit)) return true;
+        for (size_t lane = 0; lane < block.count; ++lane) {
+          if (visit(block, lane, limit)) return true;
         }
         if (block.more == 0) break;
       }
@@ -64,13 +64,20 @@ bool traverse(const WideGeometry<Method, width>& geometry, const SlabRay<float>&
   return false;
 }
 
-/// The distance to bounded primitive `id`, if it comes after `after`.
-template <class Method>
-[[nodiscard]] std::optional<float> distance_to(const Primitives<float, Method>& primitives, uint32_t id,
+/// The distance to the primitive in `lane`, if it comes after `after`.
+template <class Method, int width>
+[[nodiscard]] std::optional<float> distance_to(const Primitives<float, Method>& primitives,
+                                               const WideBlock<width>& block, size_t lane,
                                                const Ray<float>& ray, const SlabRay<float>& slab_ray,
                                                const Hit<float>& after) {
+  const uint32_t id = block.id[lane];
   if (id < primitives.first_triangle()) return primitives.intersect_sphere(id, ray, slab_ray, after);
-  return primitives.intersect_triangle(id, primitives.triangle(id), ray, slab_ray, after);
+  // The block's corners are at hand, the primitives' are not.
+  const auto corner = [&](size_t row) {
+    return Vec3f(block.corners[row][lane], block.corners[row + 1][lane], block.corners[row + 2][lane]);
+  };
+  const auto prepared = Method::template prepare<float>({corner(0), corner(3), corner(6)});
+  return primitives.intersect_triangle(id, prepared, ray, slab_ray, after);
 }
 
 template <class Method, int width>
@@ -86,8 +93,8 @@ template <class Method, int width>
   for (uint32_t id = 0; id < primitives.first_sphere(); ++id)
     keep(primitives.intersect_plane(id, ray, after), id);
   const SlabRay<float> slab_ray(ray);
-  traverse(geometry, slab_ray, after.t, nearest.t, [&](uint32_t id, float& limit) {
-    keep(distance_to(primitives, id, ray, slab_ray, after), id);
+  traverse(geometry, slab_ray, after.t, nearest.t, [&](const auto& block, size_t lane, float& limit) {
+    keep(distance_to(primitives, block, lane, ray, slab_ray, after), block.id[lane]);
     limit = nearest.t;
     return false;
   });
@@ -116,9 +123,10 @@ bool visit_all_hits(const WideGeometry<Method, width>& geometry, const Ray<float
       return true;
   }
   const SlabRay<float> slab_ray(ray);
-  return traverse(geometry, slab_ray, 0, t_max, [&](uint32_t id, float&) {
-    return visit_each(
-        id, [&](const Hit<float>& last) { return distance_to(primitives, id, ray, slab_ray, last); });
+  return traverse(geometry, slab_ray, 0, t_max, [&](const auto& block, size_t lane, float&) {
+    return visit_each(block.id[lane], [&](const Hit<float>& last) {
+      return distance_to(primitives, block, lane, ray, slab_ray, last);
+    });
   });
 }
 
