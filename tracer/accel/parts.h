@@ -48,7 +48,7 @@ class Parts {
   }
   /// Few items need few bins: to sweep over all would take longer than to fill them.
   [[nodiscard]] static BinMapping<T> mapping(const Part<T>& part) {
-    return {part.centres, static_cast<int>(std::min<uint32_t>(most_bins, 4 + part.count() / 4))};
+    return {part.centres, static_cast<int>(std::clamp<uint32_t>(part.count() / 2, 4, most_bins))};
   }
   /// None where a leaf is no dearer. The plane's cost is infinite where all are.
   [[nodiscard]] std::optional<SplitPlane<T>> plane(const Part<T>& part, const Bins<T>& bins,

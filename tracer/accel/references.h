@@ -108,12 +108,18 @@ struct BinMapping {
 /// Boxes and counts of the references in each bin of each axis.
 template <class T>
 struct Bins {
-  LaneBox<T> box[3][most_bins];
-  Counts<T> count[most_bins];  // by axis
+  /// One of each axis. As large as a power of two, so that to find it takes one shift.
+  struct alignas(4 * sizeof(LaneBox<T>)) Bin {
+    LaneBox<T> box[3];
+    Counts<T> count;  // by axis
+  };
+  Bin bin[most_bins];
 
   explicit Bins(int used) {
-    for (auto& of_axis : box) std::fill_n(of_axis, used, LaneBox<T>::empty());
-    std::fill_n(count, used, Counts<T>{});
+    for (Bin& b : std::span(bin, static_cast<size_t>(used))) {
+      std::fill_n(b.box, 3, LaneBox<T>::empty());
+      b.count = Counts<T>{};
+    }
   }
 
   void add(const Reference<T>& reference, const BinMapping<T>& mapping) {
@@ -122,8 +128,8 @@ struct Bins {
     mapping.place(reference, place);
     for (int axis = 0; axis < 3; ++axis) {
       const auto b = static_cast<int64_t>(place[axis]);
-      box[axis][b].include(lower, upper);
-      count[b][axis]++;
+      bin[b].box[axis].include(lower, upper);
+      bin[b].count[axis]++;
     }
   }
   /// Neighbours often fall into one bin, where each would wait for the one before it: so the four quarters
@@ -148,8 +154,8 @@ struct Bins {
   }
   void add(const Bins& other, int used) {
     for (int b = 0; b < used; ++b) {
-      for (int axis = 0; axis < 3; ++axis) box[axis][b].include(other.box[axis][b]);
-      count[b] += other.count[b];
+      for (int axis = 0; axis < 3; ++axis) bin[b].box[axis].include(other.bin[b].box[axis]);
+      bin[b].count += other.bin[b].count;
     }
   }
 };

@@ -134,7 +134,7 @@ class Builder {
       chunk.right_begin = right;
       uint32_t here = 0;
       for (int b = 0; b < cut.plane->bin; ++b)
-        here += static_cast<uint32_t>(chunk.bins.count[b][cut.plane->axis]);
+        here += static_cast<uint32_t>(chunk.bins.bin[b].count[cut.plane->axis]);
       left += here;
       right += chunk.end - chunk.begin - here;
     }

@@ -71,16 +71,16 @@ class PlaneSweep {
   }
   /// Adds bin `b` to the side, which then costs `cost`.
   void take(int b, Lanes<T>& cost) {
-    for (int axis = 0; axis < 3; ++axis) boxes_[axis].include(bins_.box[axis][b]);
-    items_ += bins_.count[b];
+    for (int axis = 0; axis < 3; ++axis) boxes_[axis].include(bins_.bin[b].box[axis]);
+    items_ += bins_.bin[b].count;
     cost_by_axis<T>(boxes_, items_, block_shift_, cost);
   }
   void set_sides(SplitPlane<T>& plane) const {
     plane.left = plane.right = LaneBox<T>::empty();
     for (int b = 0; b < count_; ++b) {
       const bool is_left = b < plane.bin;
-      (is_left ? plane.left : plane.right).include(bins_.box[plane.axis][b]);
-      if (is_left) plane.left_count += static_cast<uint32_t>(bins_.count[b][plane.axis]);
+      (is_left ? plane.left : plane.right).include(bins_.bin[b].box[plane.axis]);
+      if (is_left) plane.left_count += static_cast<uint32_t>(bins_.bin[b].count[plane.axis]);
     }
   }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "tracer/accel/references.h"
 #include "tracer/wide/collapse_plan.h"
 
 namespace raysweep {
@@ -34,30 +35,35 @@ struct Children {
   }
 };
 
-/// The children's numbers from far to near for one octant, by the boxes' centres along its diagonal; slots
-/// without a child count as farthest.
+/// Sets the children's numbers from far to near for each octant, by the boxes' centres along its diagonal;
+/// slots without a child count as farthest. Octants are compared side by side, four at a time.
 template <int width>
-uint32_t far_to_near(uint32_t octant, const std::array<Vec3<float>, width>& centres, size_t count) {
-  constexpr float never = std::numeric_limits<float>::infinity();
-  std::array<float, width> along;
-  along.fill(never);
-  for (size_t i = 0; i < count; ++i) {
-    const Vec3<float>& c = centres[i];
-    const float sum = ((octant & 1) != 0 ? -c.x : c.x) + ((octant & 2) != 0 ? -c.y : c.y) +
-                      ((octant & 4) != 0 ? -c.z : c.z);
-    along[i] = sum < never ? sum : never;  // infinite boxes may have centres that are no numbers
-  }
-  std::array<uint32_t, width> rank{};
-  for (size_t i = 0; i < width; ++i) {
-    for (size_t j = i + 1; j < width; ++j) {
-      const uint32_t is_behind = along[j] > along[i] ? 1 : 0;
-      rank[i] += is_behind;
-      rank[j] += 1 - is_behind;
+void set_far_to_near(const std::array<Vec3<float>, width>& centres, size_t count, WideNode<width>& node) {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  constexpr Lanes<float> never{inf, inf, inf, inf};
+  for (size_t first = 0; first < 8; first += 4) {
+    std::array<Lanes<float>, width> along;
+    along.fill(never);
+    for (size_t i = 0; i < count; ++i) {
+      const auto& [x, y, z] = centres[i];
+      const float towards = first == 0 ? z : -z;
+      const Lanes<float> sum = Lanes<float>{x, -x, x, -x} + Lanes<float>{y, y, -y, -y} + towards;
+      along[i] = sum < never ? sum : never;  // infinite boxes may have centres that are no numbers
+    }
+    std::array<Counts<float>, width> rank{};
+    for (size_t i = 0; i < width; ++i) {
+      for (size_t j = i + 1; j < width; ++j) {
+        const Counts<float> is_behind = along[j] > along[i];  // −1 where it is
+        rank[i] -= is_behind;
+        rank[j] += is_behind + 1;
+      }
+    }
+    for (size_t lane = 0; lane < 4; ++lane) {
+      uint32_t packed = 0;
+      for (uint32_t i = 0; i < width; ++i) packed |= i << (rank[i][lane] * WideNode<width>::order_bits);
+      node.far_to_near[first + lane] = packed;
     }
   }
-  uint32_t packed = 0;
-  for (uint32_t i = 0; i < width; ++i) packed |= i << (rank[i] * WideNode<width>::order_bits);
-  return packed;
 }
 
 template <int width>
@@ -73,8 +79,7 @@ WideNode<width> make_node(const Children<width>& children) {
     n.children[i] = i < children.count ? children.what[i] : leaf_bit;
     centres[i] = box.centre();
   }
-  for (uint32_t octant = 0; octant < 8; ++octant)
-    n.far_to_near[octant] = far_to_near<width>(octant, centres, children.count);
+  set_far_to_near<width>(centres, children.count, n);
   return n;
 }
 
