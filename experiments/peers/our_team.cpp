@@ -55,18 +55,15 @@ class OurContestant final : public Contestant {
   KernelScratch scratch_;
 };
 
-ForEach shared_by(int threads) {
-  if (threads == 1) return one_after_the_other;
-  return [threads](size_t count, const std::function<void(size_t)>& body) {
-    share_work(threads, count, [&](size_t i, size_t) { body(i); });
-  };
-}
-
 template <class Core>
 BuildCost timed_build(const Scene& scene, std::string_view isa, int threads) {
+  WorkTeam team(threads);  // made before, as is a device of Embree's with its threads
+  const ForEach for_each = [&](size_t count, const std::function<void(size_t)>& body) {
+    team.run(count, [&](size_t i, size_t) { body(i); });
+  };
   const size_t before = heap_bytes();
   const double begin = now_seconds();
-  const Core core(scene, "sah", 4, isa, shared_by(threads));
+  const Core core(scene, "sah", 4, isa, for_each);
   return {now_seconds() - begin, heap_bytes() - before};
 }
 
