@@ -28,27 +28,55 @@ struct LaneHits {
   hn::Vec<D> t, beta, gamma;
 };
 
-/// MollerTrumbore::prepare and, without its early ends, MollerTrumbore::intersect.
+/// What is known of triangles before a ray's direction: a few vectors each, which differ from method to
+/// method.
+template <class D, size_t count>
+struct TriangleVectors {
+  Lanes3<D> v[count];
+};
+
+/// MollerTrumbore::prepare: A, AB, AC.
 template <class D>
-HWY_INLINE LaneHits<D> solve(MollerTrumbore, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
-                             const Corners<D>& triangle) {
-  const Lanes3<D> ab = minus<D>(triangle.b, triangle.a), ac = minus<D>(triangle.c, triangle.a);
+HWY_INLINE TriangleVectors<D, 3> prepare(MollerTrumbore, const Corners<D>& t) {
+  return {{t.a, minus<D>(t.b, t.a), minus<D>(t.c, t.a)}};
+}
+/// What MollerTrumbore::intersect computes from the origin: AO, Q, AB, AC.
+template <class D>
+HWY_INLINE TriangleVectors<D, 4> seen_from(MollerTrumbore, const Lanes3<D>& origin,
+                                           const TriangleVectors<D, 3>& prepared) {
+  const auto& [a, ab, ac] = prepared.v;
+  const Lanes3<D> ao = minus<D>(origin, a);
+  return {{ao, cross<D>(ao, ab), ab, ac}};
+}
+/// The rest of it, without its early ends.
+template <class D>
+HWY_INLINE LaneHits<D> solve(MollerTrumbore, D d, const Lanes3<D>& direction,
+                             const TriangleVectors<D, 4>& seen) {
+  const auto& [ao, q, ab, ac] = seen.v;
   const Lanes3<D> p = cross<D>(direction, ac);
   const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(ab, p));
-  const Lanes3<D> ao = minus<D>(origin, triangle.a);
-  const Lanes3<D> q = cross<D>(ao, ab);
   return {hn::Mul(dot<D>(ac, q), inverse), hn::Mul(dot<D>(ao, p), inverse),
           hn::Mul(dot<D>(direction, q), inverse)};
 }
 
-/// Morozov::prepare and, without its early ends, Morozov::intersect.
+/// Morozov::prepare: A, E1, E2, N.
 template <class D>
-HWY_INLINE LaneHits<D> solve(Morozov, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
-                             const Corners<D>& triangle) {
-  const Lanes3<D> e1 = minus<D>(triangle.a, triangle.b), e2 = minus<D>(triangle.c, triangle.a);
-  const Lanes3<D> n = cross<D>(e2, e1);
+HWY_INLINE TriangleVectors<D, 4> prepare(Morozov, const Corners<D>& t) {
+  const Lanes3<D> e1 = minus<D>(t.a, t.b), e2 = minus<D>(t.c, t.a);
+  return {{t.a, e1, e2, cross<D>(e2, e1)}};
+}
+/// OA, E1, E2, N.
+template <class D>
+HWY_INLINE TriangleVectors<D, 4> seen_from(Morozov, const Lanes3<D>& origin,
+                                           const TriangleVectors<D, 4>& prepared) {
+  const auto& [a, e1, e2, n] = prepared.v;
+  return {{minus<D>(a, origin), e1, e2, n}};
+}
+/// Morozov::intersect without its early ends.
+template <class D>
+HWY_INLINE LaneHits<D> solve(Morozov, D d, const Lanes3<D>& direction, const TriangleVectors<D, 4>& seen) {
+  const auto& [to_plane, e1, e2, n] = seen.v;
   const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(direction, n));
-  const Lanes3<D> to_plane = minus<D>(triangle.a, origin);
   const Lanes3<D> s = cross<D>(to_plane, direction);
   return {hn::Mul(dot<D>(to_plane, n), inverse), hn::Mul(dot<D>(s, e2), inverse),
           hn::Mul(dot<D>(s, e1), inverse)};
@@ -99,19 +127,31 @@ class LongestAxis {
   hn::Mask<D> is_x_, is_y_;
 };
 
+/// A, B, C.
+template <class D>
+HWY_INLINE TriangleVectors<D, 3> prepare(WoopWatertight, const Corners<D>& t) {
+  return {{t.a, t.b, t.c}};
+}
+/// OA, OB, OC.
+template <class D>
+HWY_INLINE TriangleVectors<D, 3> seen_from(WoopWatertight, const Lanes3<D>& origin,
+                                           const TriangleVectors<D, 3>& prepared) {
+  const auto& [a, b, c] = prepared.v;
+  return {{minus<D>(a, origin), minus<D>(b, origin), minus<D>(c, origin)}};
+}
 /// The formula of WoopWatertight::intersect up to where it turns to double.
 template <class D>
-HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
-                                   const Corners<D>& triangle) {
+HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& direction,
+                                   const TriangleVectors<D, 3>& seen) {
   const LongestAxis<D> axis(direction);
   const Lanes3<D> towards = axis.as_z(direction);
   const auto along = hn::Div(hn::Set(d, 1.0f), towards.z);
   const auto by_x = hn::Mul(towards.x, along), by_y = hn::Mul(towards.y, along);
   const auto sheared = [&](const Lanes3<D>& corner) HWY_ATTR {
-    const Lanes3<D> p = axis.as_z(minus<D>(corner, origin));
+    const Lanes3<D> p = axis.as_z(corner);
     return Lanes3<D>{hn::Sub(p.x, hn::Mul(by_x, p.z)), hn::Sub(p.y, hn::Mul(by_y, p.z)), p.z};
   };
-  const Lanes3<D> a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const Lanes3<D> a = sheared(seen.v[0]), b = sheared(seen.v[1]), c = sheared(seen.v[2]);
   const auto edge = [](const Lanes3<D>& p, const Lanes3<D>& q)
                         HWY_ATTR { return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x)); };
   const auto u = edge(c, b), v = edge(a, c), w = edge(b, a);

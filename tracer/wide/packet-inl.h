@@ -12,16 +12,88 @@ HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
 
+/// Of a block, a triangle a lane, what rays in lanes take one number of at a time.
+class alignas(64) BlockRows {
+ public:
+  HWY_INLINE void set_boxes(const LaneBoxes<Floats>& of) {
+    const Floats d;
+    hn::Store(of.lower.x, d, boxes_[0]);
+    hn::Store(of.upper.x, d, boxes_[1]);
+    hn::Store(of.lower.y, d, boxes_[2]);
+    hn::Store(of.upper.y, d, boxes_[3]);
+    hn::Store(of.lower.z, d, boxes_[4]);
+    hn::Store(of.upper.z, d, boxes_[5]);
+  }
+  /// In the order of a wide node's.
+  [[nodiscard]] HWY_INLINE const float* box_row(size_t row) const { return boxes_[row]; }
+  [[nodiscard]] HWY_INLINE LaneBoxes<RayTag> box(size_t lane) const {
+    const auto& rows = boxes_;
+    const RayTag d;
+    return {broadcast(d, rows[0][lane], rows[2][lane], rows[4][lane]),
+            broadcast(d, rows[1][lane], rows[3][lane], rows[5][lane])};
+  }
+
+  /// What a method knows of the triangles.
+  template <size_t count>
+  HWY_INLINE void set_vectors(const TriangleVectors<Floats, count>& of) {
+    static_assert(count <= most_vectors);
+    const Floats d;
+    for (size_t i = 0; i < count; ++i) {
+      hn::Store(of.v[i].x, d, vectors_[3 * i]);
+      hn::Store(of.v[i].y, d, vectors_[3 * i + 1]);
+      hn::Store(of.v[i].z, d, vectors_[3 * i + 2]);
+    }
+  }
+  template <class Vectors>
+  [[nodiscard]] HWY_INLINE Vectors vectors(size_t lane) const {
+    Vectors of;
+    for (size_t i = 0; i < std::size(of.v); ++i) of.v[i] = spread(vectors_ + 3 * i, lane);
+    return of;
+  }
+
+ private:
+  static constexpr size_t most_vectors = 4;
+
+  float boxes_[6][lane_count];
+  float vectors_[3 * most_vectors][lane_count];
+};
+
 struct alignas(64) Packet : StackPlace {
   alignas(64) PacketRows origin, direction, reciprocal;
+  BlockRows rows;        // of the block visited last
   float t[packet_size];  // nearest hits so far; any: negative where one is known
   uint32_t id[packet_size];
   Beam beam;
   uint32_t first;  // of its rays
   uint32_t more;   // of the block visited last
   uint32_t has_news;
+  bool has_one_origin;  // and `rows` holds what is seen from there
   int32_t budget;
 };
+
+/// Where all rays meet one triangle of the packet's rows; whether any does. Infinity: not met.
+template <class Method, bool has_one_origin>
+HWY_INLINE bool solve_all(const Packet& packet, size_t lane, float* distances) {
+  const RayTag d;
+  using Prepared = decltype(prepare(Method{}, Corners<RayTag>{}));
+  using Seen = decltype(seen_from(Method{}, Lanes3<RayTag>{}, Prepared{}));
+  const auto vectors = packet.rows.template vectors<std::conditional_t<has_one_origin, Seen, Prepared>>(lane);
+  RayMask is_met = hn::FirstN(d, 0);
+  for (size_t at = 0; at < packet_size; at += rays_at_once) {
+    Seen seen;
+    if constexpr (has_one_origin) {
+      seen = vectors;
+    } else {
+      seen = seen_from(Method{}, load_rays(packet.origin, at), vectors);
+    }
+    const auto found = solve(Method{}, d, load_rays(packet.direction, at), seen);
+    const RayMask hit = is_hit(d, found);
+    hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
+              distances + at);
+    is_met = hn::Or(is_met, hit);
+  }
+  return !hn::AllFalse(d, is_met);
+}
 
 /// Keeps hits that are nearer than the rays' own, or, of any, ends the rays.
 template <bool any>

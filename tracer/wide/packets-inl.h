@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "tracer/wide/packet-inl.h"
+#include "tracer/wide/packet_loader-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -150,7 +151,7 @@ class Packets {
         [node](size_t at) HWY_ATTR { return hn::Load(Floats(), reinterpret_cast<const float*>(node + at)); });
     const WordLanes children =
         hn::Load(Words(), reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
-    const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + packet.beam.near_plane[3]);
+    const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + packet.beam.order);
     stacks_.push_in_order(packet, children, meeting.enter, meeting.met, far_to_near);
     packet.budget--;
     RAYSWEEP_COUNT(count_, Visited::packet_node);
@@ -175,16 +176,18 @@ class Packets {
       packet.budget -= static_cast<int32_t>(block.count);
       return 0;
     }
-    const LaneBoxes<Floats> boxes = boxes_of(d, corners_of(block));
-    alignas(64) float rows[6][lane_count];
-    hn::Store(boxes.lower.x, d, rows[0]);
-    hn::Store(boxes.upper.x, d, rows[1]);
-    hn::Store(boxes.lower.y, d, rows[2]);
-    hn::Store(boxes.upper.y, d, rows[3]);
-    hn::Store(boxes.lower.z, d, rows[4]);
-    hn::Store(boxes.upper.z, d, rows[5]);
+    const Corners<Floats> corners = corners_of(block);
+    const LaneBoxes<Floats> boxes = boxes_of(d, corners);
+    packet.rows.set_boxes(boxes);
+    const auto prepared = prepare(Method{}, corners);
+    if (packet.has_one_origin) {
+      const auto& [x, y, z] = packet.origin;
+      packet.rows.set_vectors(seen_from(Method{}, broadcast(d, x[0], y[0], z[0]), prepared));
+    } else {
+      packet.rows.set_vectors(prepared);
+    }
     const auto meeting = packet.beam.meet(
-        [&rows](size_t at) HWY_ATTR { return hn::Load(Floats(), rows[0] + at / sizeof(float)); });
+        [&packet](size_t at) HWY_ATTR { return hn::Load(Floats(), packet.rows.box_row(at / row_bytes)); });
     const LaneMask is_there = hn::RebindMask(d, hn::Lt(hn::Iota(dw, 0), hn::Set(dw, block.count)));
     const Compaction kept(hn::And(meeting.met, is_there));
     hn::StoreU(kept(hn::Or(hn::Iota(dw, 0), hn::Set(dw, offset))), dw, list);
@@ -194,26 +197,14 @@ class Packets {
 
   /// Where one triangle meets all rays; whether it does.
   HWY_INLINE uint32_t test(uint32_t word, uint32_t candidate) {
-    const RayTag d;
     const auto [offset, lane] = test_of(word);
     const Packet& packet = packet_at(offset);
-    const Corners<RayTag> corners = corners_in(blocks_[packet.block], lane);
     RAYSWEEP_COUNT(count_, Visited::packet_test);
-    RayMask is_met = hn::FirstN(d, 0);
-    for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const auto found =
-          solve(Method{}, d, load_rays(packet.origin, at), load_rays(packet.direction, at), corners);
-      const RayMask hit = is_hit(d, found);
-      hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
-                distances_[candidate] + at);
-      is_met = hn::Or(is_met, hit);
-    }
     candidates_[candidate] = word;
-    return hn::AllFalse(d, is_met) ? 0 : 1;
-  }
-
-  HWY_INLINE static Corners<RayTag> corners_in(const Block& block, size_t lane) {
-    return {spread(block.corners, lane), spread(block.corners + 3, lane), spread(block.corners + 6, lane)};
+    // All packets of a batch take the same way, or nearly all.
+    const bool is_met = packet.has_one_origin ? solve_all<Method, true>(packet, lane, distances_[candidate])
+                                              : solve_all<Method, false>(packet, lane, distances_[candidate]);
+    return is_met ? 1 : 0;
   }
 
   HWY_INLINE void look_at(uint32_t word, const float* distances) {
@@ -221,10 +212,11 @@ class Packets {
     const auto [offset, lane] = test_of(word);
     Packet& packet = packet_at(offset);
     const Block& block = blocks_[packet.block];
-    const Corners<RayTag> corners = corners_in(block, lane);
+    const Corners<RayTag> corners{spread(block.corners, lane), spread(block.corners + 3, lane),
+                                  spread(block.corners + 6, lane)};
     const Lanes3<RayTag> normal = spread(block.normal, lane);
     RAYSWEEP_COUNT(count_, Visited::packet_look);
-    const LaneBoxes<RayTag> boxes = boxes_of(d, corners);
+    const LaneBoxes<RayTag> boxes = packet.rows.box(lane);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
       const RayLanes t = hn::Load(d, distances + at);
       const AcceptedHits<RayTag> hits =

@@ -173,10 +173,11 @@ class Stream {
       Slot& slot = slot_at(offset);
       const uint32_t index = child_index(slot.current);
       const Block& block = blocks_[index];
+      const Lanes3<Floats> origin = broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
+                           direction = broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]);
       RAYSWEEP_COUNT(count_, Visited::ray_test, block.count);
       const auto found =
-          solve(Method{}, d, broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
-                broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]), corners_of(block));
+          solve(Method{}, d, direction, seen_from(Method{}, origin, prepare(Method{}, corners_of(block))));
       // Every lane of a block of spheres is a candidate.
       const uint32_t spheres = 0u - ((slot.current >> 30) & 1);
       const LaneMask hits = is_hit(d, found);

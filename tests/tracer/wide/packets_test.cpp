@@ -1,6 +1,8 @@
 // Neighbours that go together get the answers that each gets alone, and they do go together.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/tracer/mixed_scene.h"
 #include "tests/tracer/scene_sizes.h"
 #include "tests/tracer/wide/batches.h"
@@ -63,6 +65,53 @@ TEST(wide_core, rays_towards_distant_points_agree) {
     EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa;
     EXPECT_LT(count_alone(core, rays), rays.size() / 2) << isa;
   });
+}
+
+/// Neighbours which rise and fall on one axis, seen from in front, from inside and from behind; on two axes,
+/// they go alone.
+TEST(wide_core, packets_whose_directions_have_both_signs_on_an_axis_agree) {
+  const Scene scene = mixed_scene();
+  const ScalarCore<float, MollerTrumbore> oracle(scene, "sah", 4);
+  for (size_t mixed = 0; mixed < 3; ++mixed) {
+    for (const float spread : {0.01f, 0.3f}) {
+      std::vector<TestRay<float>> one_axis, two_axes;
+      for (int i = 0; i < 3200; ++i) {
+        const auto part = [](int k, int of) { return static_cast<float>(k % of) / static_cast<float>(of); };
+        std::array<float, 3> direction{0.2f, 0.25f, 0.3f},
+            origin{part(i, 7) * 0.1f, part(i, 5) * 0.1f, part(i, 3) * 0.1f};
+        direction[mixed] = (part(i, 16) - 0.46f) * spread;
+        const size_t along = (mixed + 1 + static_cast<size_t>(i) / 1600) % 3;
+        direction[along] = (i / 400) % 2 == 0 ? -1.0f : 1.0f;
+        origin[along] += static_cast<float>((i / 100) % 5 - 2) * 1.5f;
+        origin[mixed] += static_cast<float>((i / 20) % 5 - 2) * 0.4f;
+        const auto vector = [](const std::array<float, 3>& v) { return Vec3f(v[0], v[1], v[2]); };
+        one_axis.push_back({{vector(origin), vector(direction)}, i % 2 == 0 ? 4.0f : 1e30f});
+        direction[along] = part(i, 4) - 0.3f;
+        two_axes.push_back({{vector(origin), vector(direction)}, 4.0f});
+      }
+      for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+        EXPECT_EQ(count_differences(core, oracle, one_axis), 0u) << isa << ' ' << mixed;
+        EXPECT_LT(count_alone(core, one_axis), one_axis.size() / 2) << isa << ' ' << mixed;
+        EXPECT_EQ(count_differences(core, oracle, two_axes), 0u) << isa << ' ' << mixed;
+        EXPECT_EQ(count_alone(core, two_axes), two_axes.size()) << isa << ' ' << mixed;
+      });
+    }
+  }
+}
+
+/// Batches that are no multiple of a packet, and a scene of nothing.
+TEST(wide_core, packets_agree_in_batches_of_any_size_and_without_a_scene) {
+  for (const Scene& scene : {mixed_scene(), Scene()}) {
+    const ScalarCore<float, MollerTrumbore> oracle(scene, "sah", 4);
+    for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+      for (size_t size = 1; size <= 2 * packet_size + 1; ++size) {
+        std::vector<TestRay<float>> rays;
+        for (size_t i = 0; i < size; ++i)
+          rays.push_back({{{0.01f * static_cast<float>(i), 0.1f, 3}, {0.1f, -0.05f, -1}}, 100.0f});
+        EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa << ' ' << size;
+      }
+    });
+  }
 }
 
 /// Neighbours that differ in their limits alone.
