@@ -174,8 +174,9 @@ UnsetVector<Box<T>> Primitives<T, Method, Triangles>::boxes(const ForEach& for_e
   UnsetVector<Box<T>> all(count() - first_sphere());
   for_each((all.size() + primitives_at_once - 1) / primitives_at_once, [&](size_t piece) {
     const size_t end = std::min((piece + 1) * primitives_at_once, all.size());
-    for (size_t i = piece * primitives_at_once; i < end; ++i)
-      all[i] = box(first_sphere() + static_cast<uint32_t>(i));
+    size_t i = piece * primitives_at_once;
+    for (; i < std::min(end, spheres_.size()); ++i) all[i] = box_around(spheres_[i]);
+    for (; i < end; ++i) all[i] = triangles_.box(i - spheres_.size());
   });
   return all;
 }

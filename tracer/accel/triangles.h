@@ -14,9 +14,22 @@ namespace raysweep {
 template <class T>
 inline constexpr T box_padding = 4 * std::numeric_limits<T>::epsilon();
 
+/// By value: GCC makes branches of std::min and std::max over memory, and corners come in no order.
+template <class T>
+[[nodiscard]] constexpr T smaller(T a, T b) {
+  return b < a ? b : a;
+}
+template <class T>
+[[nodiscard]] constexpr T larger(T a, T b) {
+  return a < b ? b : a;
+}
+
 template <class T>
 [[nodiscard]] Box<T> padded(const Box<T>& box) {
-  const T by = box_padding<T> * std::max(max_abs(box.lower()), max_abs(box.upper()));
+  const auto largest = [](const Vec3<T>& v) {
+    return larger(larger(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+  };
+  const T by = box_padding<T> * larger(largest(box.lower()), largest(box.upper()));
   const Vec3<T> pad(by, by, by);
   Box<T> grown;
   grown.bounds[0] = box.lower() - pad;
@@ -27,10 +40,11 @@ template <class T>
 /// The box inside which hits of a triangle are.
 template <class T>
 [[nodiscard]] Box<T> box_around(const Triangle<T>& t) {
+  const auto least = [](T a, T b, T c) { return smaller(smaller(a, b), c); };
+  const auto most = [](T a, T b, T c) { return larger(larger(a, b), c); };
   Box<T> box;
-  box.include(t.a);
-  box.include(t.b);
-  box.include(t.c);
+  box.bounds[0] = {least(t.a.x, t.b.x, t.c.x), least(t.a.y, t.b.y, t.c.y), least(t.a.z, t.b.z, t.c.z)};
+  box.bounds[1] = {most(t.a.x, t.b.x, t.c.x), most(t.a.y, t.b.y, t.c.y), most(t.a.z, t.b.z, t.c.z)};
   return padded(box);
 }
 
