@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "tracer/for_each.h"
 #include "tracer/math/box.h"
+#include "tracer/unset_memory.h"
 
 namespace raysweep {
 
@@ -21,8 +21,8 @@ struct Node {
 /// `nodes[0]` is the root; no nodes where there are no items. `order` holds every item once.
 template <class T>
 struct Hierarchy {
-  std::vector<Node<T>> nodes;
-  std::vector<uint32_t> order;
+  UnsetVector<Node<T>> nodes;
+  UnsetVector<uint32_t> order;
 };
 
 /// No path from the root is longer than this: builders halve the count of items from `balanced_from_depth`

@@ -89,6 +89,7 @@ Hierarchy<T> build_median(std::span<const Box<T>> items, int leaf_size) {
     }
     const auto first = static_cast<uint32_t>(tree.nodes.size());
     node.first = first;
+    node.count = 0;
     const auto middle = p.begin + static_cast<uint32_t>(left);
     pending.push_back({first + 1, middle, p.end, p.depth + 1});
     pending.push_back({first, p.begin, middle, p.depth + 1});

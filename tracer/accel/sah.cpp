@@ -151,10 +151,10 @@ class Builder {
     chunk.right = bounds_of_centres<T>(std::span(right, chunk.end - chunk.begin - left_count));
   }
 
-  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, auto& nodes,
+  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, UnsetVector<Node<T>>& nodes,
                            std::vector<Part<T>>& to) {
-    nodes[part.node].box = part.box.box();
-    nodes[part.node].first = left.node = static_cast<uint32_t>(nodes.size());
+    left.node = static_cast<uint32_t>(nodes.size());
+    nodes[part.node] = {part.box.box(), left.node, 0};
     right.node = left.node + 1;
     to.push_back(right);
     to.push_back(left);
@@ -162,7 +162,7 @@ class Builder {
   }
 
   void build_subtrees() {
-    std::vector<std::vector<Node<T>>> nodes(subtrees_.size());
+    std::vector<UnsetVector<Node<T>>> nodes(subtrees_.size());
     for_each_(nodes.size(), [&](size_t i) { nodes[i] = build_subtree(subtrees_[i]); });
     std::vector<uint32_t> first(nodes.size());
     size_t total = tree_.nodes.size();
@@ -181,8 +181,8 @@ class Builder {
   }
 
   /// Its nodes, numbered from 0, the root's number. The items' order goes where it belongs.
-  [[nodiscard]] std::vector<Node<T>> build_subtree(const Part<T>& root) {
-    std::vector<Node<T>> nodes;
+  [[nodiscard]] UnsetVector<Node<T>> build_subtree(const Part<T>& root) {
+    UnsetVector<Node<T>> nodes;
     nodes.reserve(root.count());  // about half of it is needed; what is not touched costs nothing
     nodes.emplace_back();
     std::vector<Part<T>> pending{root};

@@ -261,7 +261,7 @@ class Collapser {
 };
 
 Hierarchy<float> one_leaf(std::span<const Box<float>> boxes) {
-  Hierarchy<float> leaf{{{}}, std::vector<uint32_t>(boxes.size())};
+  Hierarchy<float> leaf{{Node<float>{}}, UnsetVector<uint32_t>(boxes.size())};
   std::iota(leaf.order.begin(), leaf.order.end(), 0u);
   for (const Box<float>& box : boxes) leaf.nodes[0].box.include(box);
   leaf.nodes[0].count = static_cast<uint32_t>(boxes.size());
