@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tracer/film.h"
+#include "tracer/huge_pages.h"
 
 namespace raysweep {
 
@@ -17,6 +18,12 @@ struct UnsetAllocator : CacheLineAllocator<T> {
   UnsetAllocator() = default;
   template <class U>
   explicit UnsetAllocator(const UnsetAllocator<U>&) {}
+
+  T* allocate(size_t n) {
+    T* const memory = CacheLineAllocator<T>::allocate(n);
+    if (n * sizeof(T) >= least_huge_array) prefer_huge_pages(memory, n * sizeof(T));
+    return memory;
+  }
 
   template <class U, class... Values>
   void construct(U* where, Values&&... values) {
