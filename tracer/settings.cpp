@@ -25,8 +25,9 @@ std::span<const Choice> cores() {
 }
 
 std::span<const Choice> accels() {
-  static constexpr std::array<Choice, 3> list{
+  static constexpr std::array<Choice, 4> list{
       {{"sah", "hierarchy by the surface area heuristic in 16 bins"},
+       {"sbvh", "as sah, and planes may cut boxes in two (Stich, Friedrich & Dietrich 2009)"},
        {"median", "hierarchy that halves the longest axis (Morozov 2011)"},
        {"none", "every primitive for every ray: the oracle of the others"}}};
   return list;

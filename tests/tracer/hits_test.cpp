@@ -13,12 +13,14 @@ namespace {
 template <class T, class Method>
 void expect_agreement(const Scene& scene, size_t count) {
   const ScalarCore<T, Method> oracle(scene, "none", 1);
-  const ScalarCore<T, Method> median(scene, "median", 4), sah(scene, "sah", 4), wide_leaves(scene, "sah", 64);
+  const ScalarCore<T, Method> median(scene, "median", 4), sah(scene, "sah", 4), sbvh(scene, "sbvh", 4),
+      wide_leaves(scene, "sah", 64);
   const M11Core<T, Method> m11(scene, "median", 16), m11_none(scene, "none", 1);
   for (const char* kind : {"primary", "shadow", "reflected", "random"}) {
     for (const TestRay<T>& ray : make_rays<T>(scene, sah, kind, count)) {
       ASSERT_TRUE(answers_agree(oracle, median, ray)) << Method::name << ' ' << kind;
       ASSERT_TRUE(answers_agree(oracle, sah, ray)) << Method::name << ' ' << kind;
+      ASSERT_TRUE(answers_agree(oracle, sbvh, ray)) << Method::name << ' ' << kind;
       ASSERT_TRUE(answers_agree(oracle, wide_leaves, ray)) << Method::name << ' ' << kind;
       ASSERT_TRUE(answers_agree(oracle, m11, ray)) << Method::name << ' ' << kind;
       ASSERT_TRUE(answers_agree(oracle, m11_none, ray)) << Method::name << ' ' << kind;

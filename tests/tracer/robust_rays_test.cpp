@@ -37,6 +37,7 @@ class RobustRays : public testing::Test {
       check(ScalarCore<T, Method>(scene, "none", 1), "scalar none");
       check(ScalarCore<T, Method>(scene, "median", 4), "scalar median");
       check(ScalarCore<T, Method>(scene, "sah", 1), "scalar sah");
+      check(ScalarCore<T, Method>(scene, "sbvh", 1), "scalar sbvh");
       check(M11Core<T, Method>(scene, "median", 4), "m11 median");
     });
   }
@@ -47,12 +48,13 @@ class RobustRays : public testing::Test {
     int count = 0;
     for_each_method([&](auto method) {
       using Method = decltype(method);
-      const ScalarCore<T, Method> oracle(scene, "none", 1), sah(scene, "sah", 2), median(scene, "median", 2);
+      const ScalarCore<T, Method> oracle(scene, "none", 1), sah(scene, "sah", 2), median(scene, "median", 2),
+          sbvh(scene, "sbvh", 2);
       const M11Core<T, Method> m11(scene, "median", 2);
       for (const Ray<T>& ray : rays) {
         const TestRay<T> test{ray, infinity};
         count += !answers_agree(oracle, sah, test) + !answers_agree(oracle, median, test) +
-                 !answers_agree(oracle, m11, test);
+                 !answers_agree(oracle, sbvh, test) + !answers_agree(oracle, m11, test);
       }
     });
     return count;

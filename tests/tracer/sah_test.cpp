@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "tests/tracer/hierarchy_cost.h"
 #include "tests/tracer/scattered_boxes.h"
 #include "tests/tracer/shared_work.h"
 #include "tracer/accel/primitives.h"
@@ -12,14 +13,6 @@
 
 namespace raysweep {
 namespace {
-
-/// Expected visits and tests of a ray that meets the root, each weighted by its box's area.
-double cost(const Hierarchy<float>& tree) {
-  double sum = 0;
-  for (const Node<float>& node : tree.nodes)
-    sum += static_cast<double>(node.box.half_area()) * (node.is_leaf() ? node.count : 1);
-  return sum / static_cast<double>(tree.nodes[0].box.half_area());
-}
 
 /// What a tree costs, × the root's area, that splits between whatever two items is cheapest.
 class FullSweep {

@@ -1,4 +1,4 @@
-// A bounding volume hierarchy over boxes, and its two builders.
+// A bounding volume hierarchy over boxes, and its builders.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ struct Node {
   [[nodiscard]] bool is_leaf() const { return count > 0; }
 };
 
-/// `nodes[0]` is the root; no nodes where there are no items. `order` holds every item once.
+/// `nodes[0]` is the root; no nodes where there are no items. `order` holds every item once, or in several
+/// leaves where items were cut, but in no leaf twice.
 template <class T>
 struct Hierarchy {
   UnsetVector<Node<T>> nodes;
@@ -43,5 +44,27 @@ template <class T>
 template <class T>
 [[nodiscard]] Hierarchy<T> build_sah(std::span<const Box<T>> items, int leaf_size, int block = 1,
                                      const ForEach& for_each = one_after_the_other);
+
+/// How items may be cut.
+struct CutOptions {
+  uint32_t whole_count = 0;  // items 0 … whole_count − 1 are not
+  double more = 0.5;         // as many references as items may be added, × this
+};
+
+/// The surface area heuristic, where planes may also cut items in two (Stich, Friedrich & Dietrich 2009,
+/// "Spatial splits in bounding volume hierarchies"), so that boxes overlap less. Otherwise as build_sah.
+///
+/// Unlike in the paper, an item's box is cut, not the triangle in it: where a ray and a triangle meet but for
+/// rounding, `accept` in primitives.h holds the hit anywhere inside the triangle's whole box, off the
+/// triangle too, and a box drawn tightly around a piece of the triangle would lose it. Cut in this way,
+/// nothing is lost, whatever the ray, the triangle and their rounding. Let `slab` find `enter ≤ t ≤ leave` in
+/// a box that is cut at a plane, which the ray meets at f as `slab` computes it. In both pieces f is the same
+/// number, and takes the place of one end of one axis' interval. If t ≤ f, the piece before the plane has f
+/// as a far end: still no far end, widened, is before t ≥ 0. If t ≥ f, the piece behind the plane has f as a
+/// near end: still none is after t. If f is no number, both pieces leave it out. So each hit lies in a piece
+/// of the item's box, and all boxes above enclose that piece.
+template <class T>
+[[nodiscard]] Hierarchy<T> build_sbvh(std::span<const Box<T>> items, const CutOptions& options, int leaf_size,
+                                      int block = 1, const ForEach& for_each = one_after_the_other);
 
 }  // namespace raysweep

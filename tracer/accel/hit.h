@@ -24,4 +24,13 @@ struct Hit {
   [[nodiscard]] static constexpr Hit start() { return {0, ~0u}; }
 };
 
+/// `core.visit_hits` by asking for one hit after the other: shows each once, however many leaves it is in.
+template <class Core, class Ray, class T, class Visit>
+bool visit_in_order(const Core& core, const Ray& ray, T t_max, Visit&& visit) {
+  auto hit = core.closest(ray, Hit<T>::start(), t_max);
+  for (; hit && hit->t < t_max; hit = core.closest(ray, *hit, t_max))
+    if (visit(*hit)) return true;
+  return false;
+}
+
 }  // namespace raysweep

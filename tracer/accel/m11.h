@@ -20,7 +20,9 @@ class M11Core {
     for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {
       unbounded_.push_back(std::make_unique<PlaneObject>(primitives_, id));
     }
-    const Hierarchy<T> tree = build_by_name<T>(accel, primitives_.boxes(), leaf_size);
+    const UnsetVector<Box<T>> boxes = primitives_.boxes();
+    const Hierarchy<T> tree = build_by_name<T>(accel, boxes, primitives_.sphere_count(), leaf_size);
+    is_cut_ = tree.order.size() > boxes.size();
     if (!tree.nodes.empty()) {
       root_ = grow(tree, 0);
     } else {
@@ -50,20 +52,26 @@ class M11Core {
 
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
-    return visit_hits(ray, t_max, [](const Hit<T>&) { return true; });
+    return visit_in_leaves(ray, t_max, [](const Hit<T>&) { return true; });
   }
 
   /// Shows `visit` hits with 0 < t < t_max, in no particular order, each once, until it returns true; whether
   /// it did.
   template <class Visit>
   bool visit_hits(const Ray<T>& ray, T t_max, Visit&& visit) const {
+    return is_cut_ ? visit_in_order(*this, ray, t_max, visit) : visit_in_leaves(ray, t_max, visit);
+  }
+
+ private:
+  /// As `visit_hits`, but what lies in several leaves may be shown as often.
+  template <class Visit>
+  bool visit_in_leaves(const Ray<T>& ray, T t_max, Visit&& visit) const {
     if (!is_finite(ray)) return false;
     Query query(ray, Hit<T>::start());
     return visit_objects(unbounded_, query, t_max, visit) ||
            (root_ && visit_inside(*root_, query, t_max, visit));
   }
 
- private:
   struct Query {
     Query(const Ray<T>& asked, const Hit<T>& first) : ray(asked), slab_ray(asked), after(first) {}
     Ray<T> ray;
@@ -166,6 +174,7 @@ class M11Core {
   Shapes primitives_;
   Objects unbounded_;
   std::unique_ptr<TreeNode> root_;
+  bool is_cut_;  // items lie in several leaves
 };
 
 }  // namespace raysweep

@@ -11,14 +11,15 @@
 
 namespace raysweep {
 
-/// A node to be: its references are `begin … end` of one of two buffers.
+/// A node to be: its references are `begin … end` of one of two buffers, where `room` more places behind them
+/// are its own.
 template <class T>
 struct Part {
   LaneBox<T> box, centres;
   uint32_t begin, end;
   int depth;
   size_t buffer;
-  uint32_t node = 0;
+  uint32_t node = 0, room = 0;
 
   /// With empty boxes.
   [[nodiscard]] static Part of(uint32_t begin, uint32_t end, int depth, size_t buffer) {
@@ -27,8 +28,8 @@ struct Part {
   [[nodiscard]] uint32_t count() const { return end - begin; }
 };
 
-/// All references, in two buffers between which they are copied to and fro. Different parts may be worked on
-/// at the same time.
+/// All references, `count` of them at most, in two buffers between which they are copied to and fro.
+/// Different parts may be worked on at the same time.
 template <class T>
 class Parts {
  public:
@@ -53,19 +54,12 @@ class Parts {
   /// None where a leaf is no dearer. The plane's cost is infinite where all are.
   [[nodiscard]] std::optional<SplitPlane<T>> plane(const Part<T>& part, const Bins<T>& bins,
                                                    int count) const {
-    // Of visiting a node, in triangle tests: both read one cache line and do about twenty operations.
-    constexpr T node_cost = 1;
     const SplitPlane<T> best = PlaneSweep<T>(bins, count, block_shift_).cheapest();
-    const T area = part.box.box().half_area();
-    const uint32_t blocks = ((part.count() - 1) >> block_shift_) + 1;
-    const bool pays = best.cost + node_cost * area < area * static_cast<T>(blocks);
-    return pays || part.count() > leaf_size_ ? std::optional(best) : std::nullopt;
+    return pays(part, best.cost) ? std::optional(best) : std::nullopt;
   }
   /// The parts that `plane` makes of `part`, without their centres.
   static void divide(const Part<T>& part, const SplitPlane<T>& plane, Part<T>& left, Part<T>& right) {
-    const uint32_t middle = part.begin + plane.left_count;
-    left = Part<T>::of(part.begin, middle, part.depth + 1, 1 - part.buffer);
-    right = Part<T>::of(middle, part.end, part.depth + 1, 1 - part.buffer);
+    share(part, plane.left_count, part.count() - plane.left_count, left, right);
     left.box = plane.left;
     right.box = plane.right;
   }
@@ -78,19 +72,51 @@ class Parts {
       bins.add(references(part), bin_of);
       const auto best = plane(part, bins, bin_of.count);
       if (!best) return false;
-      if (best->cost < Box<T>::inf) {
-        divide(part, *best, left, right);
-        partition<T>(references(part), bin_of, best->axis, best->bin, references(left).data(),
-                     references(right).data());
-        left.centres = bounds_of_centres<T>(references(left));
-        right.centres = bounds_of_centres<T>(references(right));
-        return true;
-      }
+      return split_at(part, bin_of, *best, left, right);
     }
+    return split_without_plane(part, left, right);
+  }
+
+ protected:
+  /// Whether to split at that cost, area × blocks of both sides, is cheaper than a leaf, or must be.
+  [[nodiscard]] bool pays(const Part<T>& part, T cost) const {
+    // Of visiting a node, in triangle tests: both read one cache line and do about twenty operations.
+    constexpr T node_cost = 1;
+    const T area = part.box.box().half_area();
+    const uint32_t blocks = ((part.count() - 1) >> block_shift_) + 1;
+    return cost + node_cost * area < area * static_cast<T>(blocks) || part.count() > leaf_size_;
+  }
+  /// As `split`, by the cheapest plane between bins.
+  bool split_at(const Part<T>& part, const BinMapping<T>& bin_of, const SplitPlane<T>& best, Part<T>& left,
+                Part<T>& right) {
+    if (!(best.cost < Box<T>::inf)) return split_without_plane(part, left, right);
+    divide(part, best, left, right);
+    partition<T>(references(part), bin_of, best.axis, best.bin, references(left).data(),
+                 references(right).data());
+    left.centres = bounds_of_centres<T>(references(left));
+    right.centres = bounds_of_centres<T>(references(right));
+    return true;
+  }
+  /// As `split`.
+  bool split_without_plane(const Part<T>& part, Part<T>& left, Part<T>& right) {
     if (part.count() <= leaf_size_ || part.centres.is_point()) return false;
     split_evenly(part, left, right);
     return true;
   }
+  /// Places for both sides in the other buffer; the room that is left goes to each by its count.
+  static void share(const Part<T>& part, uint32_t left_count, uint32_t right_count, Part<T>& left,
+                    Part<T>& right) {
+    const uint32_t room = part.count() + part.room - left_count - right_count;
+    const auto of_left =
+        room == 0 ? 0 : static_cast<uint32_t>(uint64_t{room} * left_count / (left_count + right_count));
+    const uint32_t middle = part.begin + left_count + of_left;
+    left = Part<T>::of(part.begin, part.begin + left_count, part.depth + 1, 1 - part.buffer);
+    right = Part<T>::of(middle, middle + right_count, part.depth + 1, 1 - part.buffer);
+    left.room = of_left;
+    right.room = room - of_left;
+  }
+
+  [[nodiscard]] int block_shift() const { return block_shift_; }
 
  private:
   /// What is tested at once costs less than a node.
@@ -109,6 +135,7 @@ class Parts {
                      });
     left = Part<T>::of(part.begin, part.begin + half, part.depth + 1, part.buffer);
     right = Part<T>::of(part.begin + half, part.end, part.depth + 1, part.buffer);
+    right.room = part.room;
     for (Part<T>* side : {&left, &right}) {
       for (const Reference<T>& r : references(*side)) side->box.include(r.lower, r.upper);
       side->centres = bounds_of_centres<T>(references(*side));

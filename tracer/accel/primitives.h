@@ -39,6 +39,7 @@ class Primitives {
   [[nodiscard]] uint32_t count() const {
     return first_triangle() + static_cast<uint32_t>(triangles_.count());
   }
+  [[nodiscard]] uint32_t sphere_count() const { return first_triangle_ - first_sphere_; }
   [[nodiscard]] uint32_t material(uint32_t id) const { return materials_[id]; }
   /// Whether a ray can meet this primitive in two places.
   [[nodiscard]] bool is_met_twice(uint32_t id) const { return id >= first_sphere() && id < first_triangle(); }
@@ -117,7 +118,7 @@ class Primitives {
   /// A hit counts where the ray meets the primitive's own box, and its distance is held inside that box. The
   /// true hit lies there, so this only takes rounding away; and since every box of a hierarchy encloses the
   /// boxes below it and `slab` is monotone, no traversal can cut such a hit off: brute force and every
-  /// hierarchy agree exactly.
+  /// hierarchy agree exactly, also one that cuts the box into pieces (`build_sbvh`).
   [[nodiscard]] static std::optional<T> accept(const Box<T>& box, const Hit<T>& hit,
                                                const SlabRay<T>& slab_ray, const Hit<T>& after) {
     if (!(hit.t > 0)) return std::nullopt;

@@ -16,7 +16,9 @@ class ScalarCore {
   using Shapes = Primitives<T, Method, TrianglesAtHand<T>>;
 
   ScalarCore(const Scene& scene, const std::string& accel, int leaf_size) : primitives_(scene) {
-    tree_ = build_by_name<T>(accel, primitives_.boxes(), leaf_size);
+    const UnsetVector<Box<T>> boxes = primitives_.boxes();
+    tree_ = build_by_name<T>(accel, boxes, primitives_.sphere_count(), leaf_size);
+    is_cut_ = tree_.order.size() > boxes.size();
     const uint32_t base = primitives_.first_sphere();
     if (tree_.nodes.empty()) {
       for (uint32_t id = base; id < primitives_.count(); ++id) leaf_items_.push_back(make_item(id));
@@ -49,13 +51,20 @@ class ScalarCore {
 
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<T>& ray, T t_max) const {
-    return visit_hits(ray, t_max, [](const Hit<T>&) { return true; });
+    return visit_in_leaves(ray, t_max, [](const Hit<T>&) { return true; });
   }
 
   /// Shows `visit` hits with 0 < t < t_max, in no particular order, each once, until it returns true; whether
   /// it did.
   template <class Visit>
   bool visit_hits(const Ray<T>& ray, T t_max, Visit&& visit) const {
+    return is_cut_ ? visit_in_order(*this, ray, t_max, visit) : visit_in_leaves(ray, t_max, visit);
+  }
+
+ private:
+  /// As `visit_hits`, but what lies in several leaves may be shown as often.
+  template <class Visit>
+  bool visit_in_leaves(const Ray<T>& ray, T t_max, Visit&& visit) const {
     if (!is_finite(ray)) return false;
     const auto visit_all = [&](uint32_t id, auto&& intersect_after) {
       Hit<T> last = Hit<T>::start();
@@ -77,7 +86,6 @@ class ScalarCore {
     });
   }
 
- private:
   /// A primitive with its data at hand, in the order in which leaves are read; spheres leave `prepared`
   /// empty.
   struct Item {
@@ -154,6 +162,7 @@ class ScalarCore {
   Shapes primitives_;
   Hierarchy<T> tree_;
   std::vector<Item> leaf_items_;
+  bool is_cut_;  // items lie in several leaves
 };
 
 }  // namespace raysweep

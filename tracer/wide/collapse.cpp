@@ -127,8 +127,8 @@ class Emitter {
   }
 
  private:
-  /// A leaf of spheres and one of triangles, as far as `all` holds both.
-  void add_leaves(std::span<uint32_t> all, Children<width>& children) {
+  /// A leaf of spheres and one of triangles, as far as `all`, what a node's box `around` is of, holds both.
+  void add_leaves(std::span<uint32_t> all, const Box<float>& around, Children<width>& children) {
     const auto middle =
         std::stable_partition(all.begin(), all.end(), [&](uint32_t i) { return items_.is_sphere(i); });
     for (const std::span<const uint32_t> part :
@@ -136,6 +136,8 @@ class Emitter {
       if (part.empty()) continue;
       Box<float> box;
       for (const uint32_t i : part) box.include(items_.boxes[i]);
+      box.bounds[0] = max(box.lower(), around.lower());
+      box.bounds[1] = min(box.upper(), around.upper());
       children.add(add_leaf(part), box);
     }
   }
@@ -145,7 +147,7 @@ class Emitter {
     if (plan_.is_one_kind(index)) {
       children.add(add_leaf(found_), binary_.nodes[index].box);
     } else {
-      add_leaves(found_, children);
+      add_leaves(found_, binary_.nodes[index].box, children);
     }
   }
 
@@ -165,7 +167,7 @@ class Emitter {
     tree.block_goes_on.push_back(goes_on ? 1 : 0);
   }
 
-  /// All items below, without recursion: forced leaves may lie deep.
+  /// All items below, each once, without recursion: forced leaves may lie deep.
   void gather_items(uint32_t index) {
     found_.clear();
     open_.assign(1, index);
@@ -173,7 +175,11 @@ class Emitter {
       const Node<float>& n = binary_.nodes[open_.back()];
       open_.pop_back();
       if (n.is_leaf()) {
-        for (uint32_t i = n.first; i < n.first + n.count; ++i) found_.push_back(binary_.order[i]);
+        const auto others = static_cast<std::ptrdiff_t>(found_.size());
+        for (uint32_t i = n.first; i < n.first + n.count; ++i) {
+          const auto end = found_.begin() + others;
+          if (std::find(found_.begin(), end, binary_.order[i]) == end) found_.push_back(binary_.order[i]);
+        }
       } else {
         open_.insert(open_.end(), {n.first + 1, n.first});
       }
@@ -232,6 +238,7 @@ class Collapser {
     WideTree<width> tree = join(std::move(top.tree), roots, parts);
     tree.cost = plan_.cost() / static_cast<double>(binary_.nodes[0].box.half_area());
     tree.bounds = binary_.nodes[0].box;
+    tree.is_cut = binary_.order.size() > items_.boxes.size();
     return tree;
   }
 

@@ -102,10 +102,10 @@ template <class Method, int width>
   return nearest;
 }
 
-/// As ScalarCore::visit_hits.
+/// As ScalarCore::visit_hits, but what lies in several leaves may be shown as often.
 template <class Method, int width, class Visit>
-bool visit_all_hits(const WideGeometry<Method, width>& geometry, const Ray<float>& ray, float t_max,
-                    Visit&& visit) {
+bool visit_in_leaves(const WideGeometry<Method, width>& geometry, const Ray<float>& ray, float t_max,
+                     Visit&& visit) {
   if (!is_finite(ray)) return false;
   const Primitives<float, Method>& primitives = *geometry.primitives;
   const auto visit_each = [&](uint32_t id, auto&& next_after) {

@@ -50,13 +50,14 @@ class WideCore {
   }
   /// Whether anything is hit with 0 < t < t_max.
   [[nodiscard]] bool occluded(const Ray<float>& ray, float t_max) const {
-    return visit_hits(ray, t_max, [](const Hit<float>&) { return true; });
+    return visit_in_leaves(geometry_, ray, t_max, [](const Hit<float>&) { return true; });
   }
   /// Shows `visit` hits with 0 < t < t_max, in no particular order, each once, until it returns true; whether
   /// it did.
   template <class Visit>
   bool visit_hits(const Ray<float>& ray, float t_max, Visit&& visit) const {
-    return visit_all_hits(geometry_, ray, t_max, visit);
+    return geometry_.tree.is_cut ? visit_in_order(*this, ray, t_max, visit)
+                                 : visit_in_leaves(geometry_, ray, t_max, visit);
   }
 
   /// The first hit of each ray with 0 < t ≤ t_max.
@@ -79,7 +80,7 @@ class WideCore {
     for (const uint32_t i : scratch.left_over) {
       hits.t[i] = rays.t_max[i];
       hits.id[i] = no_hit_id;
-      visit_hits(rays.ray(i), rays.t_max[i], [&](const Hit<float>& hit) {
+      visit_in_leaves(geometry_, rays.ray(i), rays.t_max[i], [&](const Hit<float>& hit) {
         hits.t[i] = hit.t;
         hits.id[i] = hit.id;
         return true;
@@ -93,12 +94,12 @@ class WideCore {
     // The collapse decides itself what is a leaf, so it is handed small ones: to split those further takes
     // time and gains nothing. Others are studied for their leaves.
     constexpr int small_leaf = width - 1;
-    const bool merges_leaves = accel == "sah";
+    const bool merges_leaves = accel == "sah" || accel == "sbvh";
     const UnsetVector<Box<float>> boxes = primitives_.boxes(for_each);
-    const Hierarchy<float> binary = build_by_name<float>(accel, boxes, merges_leaves ? small_leaf : leaf_size,
-                                                         merges_leaves ? width : 1, for_each);
-    return collapse<width>(
-        binary, boxes, {primitives_.first_triangle() - primitives_.first_sphere(), merges_leaves}, for_each);
+    const Hierarchy<float> binary =
+        build_by_name<float>(accel, boxes, primitives_.sphere_count(), merges_leaves ? small_leaf : leaf_size,
+                             merges_leaves ? width : 1, for_each);
+    return collapse<width>(binary, boxes, {primitives_.sphere_count(), merges_leaves}, for_each);
   }
 
   /// Planes have no boxes: each ray meets all of them first.

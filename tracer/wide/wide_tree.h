@@ -50,9 +50,10 @@ struct WideTree {
   /// What the blocks hold: `width` items each, `no_hit_id` where there is none.
   UnsetVector<uint32_t> block_items;
   std::vector<uint8_t> block_goes_on;
-  int depth = 0;      // inner nodes on the longest path
-  double cost = 0;    // expected visits a ray: nodes and blocks, each weighted by the chance to be met
-  Box<float> bounds;  // of everything
+  int depth = 0;        // inner nodes on the longest path
+  double cost = 0;      // expected visits a ray: nodes and blocks, each weighted by the chance to be met
+  Box<float> bounds;    // of everything
+  bool is_cut = false;  // items lie in several leaves
 
   /// Entries that any traversal's stack may need.
   [[nodiscard]] size_t stack_size() const { return size_t{width - 1} * static_cast<size_t>(depth) + 2; }
