@@ -22,12 +22,12 @@ size_t heap_bytes() {
 template <class Core>
 class OurContestant final : public Contestant {
  public:
-  OurContestant(std::shared_ptr<const Core> core, std::string_view isa, Grouping grouping)
-      : core_(std::move(core)), isa_(isa), grouping_(grouping) {}
+  OurContestant(std::shared_ptr<const Core> core, std::string_view isa, bool high_quality, Grouping grouping)
+      : core_(std::move(core)), isa_(isa), high_quality_(high_quality), grouping_(grouping) {}
 
-  /// "packets avx512 robust"
+  /// "packets avx512 high robust"
   [[nodiscard]] std::string name() const override {
-    return (grouping_ == Grouping::packets ? "packets " : "single ") + isa_ +
+    return (grouping_ == Grouping::packets ? "packets " : "single ") + isa_ + (high_quality_ ? " high" : "") +
            (Core::Method::is_watertight ? " robust" : "");
   }
   void prepare(const RayBatch& rays, bool any_hit) override {
@@ -48,6 +48,7 @@ class OurContestant final : public Contestant {
  private:
   std::shared_ptr<const Core> core_;
   std::string isa_;
+  bool high_quality_;
   Grouping grouping_;
   const RayBatch* rays_ = nullptr;
   bool any_hit_ = false;
@@ -55,24 +56,28 @@ class OurContestant final : public Contestant {
   KernelScratch scratch_;
 };
 
+/// What stands against each of Embree's: its builder of high quality cuts triangles in two as well.
+const char* accel_of(bool high_quality) { return high_quality ? "sbvh" : "sah"; }
+
 template <class Core>
-BuildCost timed_build(const Scene& scene, std::string_view isa, int threads) {
+BuildCost timed_build(const Scene& scene, bool high_quality, std::string_view isa, int threads) {
   WorkTeam team(threads);  // made before, as is a device of Embree's with its threads
   const ForEach for_each = [&](size_t count, const std::function<void(size_t)>& body) {
     team.run(count, [&](size_t i, size_t) { body(i); });
   };
   const size_t before = heap_bytes();
   const double begin = now_seconds();
-  const Core core(scene, "sah", 4, isa, for_each);
+  const Core core(scene, accel_of(high_quality), 4, isa, for_each);
   return {now_seconds() - begin, heap_bytes() - before};
 }
 
 template <class Core>
 void add_builds(Team& team, const Scene& scene, std::string_view isa) {
-  for (const char* build_class : {"medium", "high"}) {
+  for (const bool high : {false, true}) {
     for (const int threads : build_threads)
-      team.builds.push_back(
-          {build_class, threads, [&scene, isa, threads] { return timed_build<Core>(scene, isa, threads); }});
+      team.builds.push_back({high ? "high" : "medium", threads, [&scene, high, isa, threads] {
+                               return timed_build<Core>(scene, high, isa, threads);
+                             }});
   }
 }
 
@@ -84,14 +89,16 @@ RobustOracleCore make_robust_oracle(const Scene& scene) { return RobustOracleCor
 Team make_our_team(const Scene& scene) {
   Team team;
   const auto enter = [&]<class Core>(std::type_identity<Core>, std::string_view isa) {
-    const auto core = std::make_shared<const Core>(scene, "sah", 4, isa);
     constexpr bool robust = Core::Method::is_watertight;
-    for (const Grouping grouping : {Grouping::single, Grouping::packets})
-      team.entrants.push_back(
-          {std::make_unique<OurContestant<Core>>(core, isa, grouping), grouping == Grouping::single, robust});
+    for (const bool high : {false, true}) {
+      const auto core = std::make_shared<const Core>(scene, accel_of(high), 4, isa);
+      for (const Grouping grouping : {Grouping::single, Grouping::packets})
+        team.entrants.push_back({std::make_unique<OurContestant<Core>>(core, isa, high, grouping),
+                                 grouping == Grouping::single && !high, robust});
+    }
   };
   const auto enter_both = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
-    // One hierarchy stands against both of Embree's. Which instructions traverse it later does not matter.
+    // Which instructions traverse a hierarchy later does not matter to its building.
     if (team.builds.empty()) add_builds<WideCore<MollerTrumbore, width>>(team, scene, isa);
     enter(std::type_identity<WideCore<MollerTrumbore, width>>(), isa);
     enter(std::type_identity<WideCore<WoopWatertight, width>>(), isa);

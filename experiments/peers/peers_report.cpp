@@ -97,7 +97,7 @@ Table rays_table(const PeersResult& result, const PeersRequest& request, const E
   table.caption = fmt::format(
       "peers: ours and Embree {}{} on the same rays, one thread; triangles alone, a ray a pixel of {} × {}; "
       "{} rounds in random order, medians; ratio: ours / Embree's by round [95 % interval]\n"
-      "single: a ray at a time, Embree's medium quality; best: the fastest of all modes; robust: of those "
+      "single: a ray at a time, medium quality; best: the fastest of all modes; robust: of those "
       "that promise to miss nothing at edges; hits that differ: between the two, ours from the oracle, "
       "Embree's from the oracle (in the same place)",
       embree.version, embree.has_assertions ? " (as packaged: with assertions)" : "", request.width,
@@ -143,9 +143,9 @@ Table pictures_table(const PeersResult& result, const PeersRequest& request, con
 Table builds_table(const PeersResult& result) {
   Table table;
   table.caption = fmt::format(
-      "Builds: from triangles to what rays are traced in, medians of {} rounds; class: Embree's quality; "
-      "ratio "
-      "of times: ours / Embree's by round [95 % interval]",
+      "Builds: from triangles to what rays are traced in, medians of {} rounds; class: quality, and "
+      "where it is high, triangles may be cut in two; ratio of times: ours / Embree's by round [95 % "
+      "interval]",
       build_rounds);
   table.columns = {{"scene", false}, {"triangles"}, {"class", false}, {"threads"},    {"ours, ms"},
                    {"Embree, ms"},   {"ratio"},     {"ours, MiB"},    {"Embree, MiB"}};

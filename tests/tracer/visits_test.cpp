@@ -38,7 +38,7 @@ TEST(visits, of_the_scalar_core_are_counted) {
 TEST(visits, of_one_ray_in_a_wide_tree_are_counted) {
   const Scene scene = triangles_in_a_row(4);
   const Primitives<float, CountingMethod> shapes(scene);
-  const auto binary = build_by_name<float>("median", shapes.boxes(), 1);
+  const auto binary = build_by_name<float>("median", shapes.boxes(), shapes.sphere_count(), 1);
   const WideGeometry<CountingMethod, 4> geometry(shapes, collapse<4>(binary, shapes.boxes(), {0, false}));
   const auto trace = [&](const Ray<float>& ray) {
     return closest_hit(geometry, ray, Hit<float>::start(), infinity).has_value();

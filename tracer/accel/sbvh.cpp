@@ -7,8 +7,8 @@ namespace {
 /// A subtree's nodes and what its leaves hold, both numbered from 0.
 template <class T>
 struct Subtree {
-  std::vector<Node<T>> nodes;
-  std::vector<uint32_t> order;
+  UnsetVector<Node<T>> nodes;
+  UnsetVector<uint32_t> order;
 };
 
 template <class T>
@@ -75,10 +75,10 @@ class CuttingBuilder {
     return next;
   }
 
-  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, std::vector<Node<T>>& nodes,
+  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, UnsetVector<Node<T>>& nodes,
                            std::vector<Part<T>>& to) {
-    nodes[part.node].box = part.box.box();
-    nodes[part.node].first = left.node = static_cast<uint32_t>(nodes.size());
+    left.node = static_cast<uint32_t>(nodes.size());
+    nodes[part.node] = {part.box.box(), left.node, 0};
     right.node = left.node + 1;
     to.push_back(right);
     to.push_back(left);
