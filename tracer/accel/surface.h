@@ -186,18 +186,21 @@ struct TriangleShape {
   [[nodiscard]] Surface<T> surface(const Ray<T>& ray, T beta, T gamma) const {
     const T alpha = 1 - beta - gamma;
     Vec3<T> p = corners.a * alpha + corners.b * beta + corners.c * gamma;
-    if (!(alpha >= inset && beta >= inset && gamma >= inset)) step_inwards(p, alpha, beta, gamma);
+    if (!(alpha >= inset && beta >= inset && gamma >= inset))
+      p = stepped_inwards(p, corners, clearance, {alpha, beta, gamma});
     return facing(p, normal, clearance, ray.direction);
   }
 
  private:
-  /// Kept out of the way of the many hits that lie elsewhere.
-  [[gnu::noinline]] void step_inwards(Vec3<T>& p, T alpha, T beta, T gamma) const {
+  /// `p`, whose barycentric coordinates are `at`. Kept out of the way of the many hits that lie elsewhere,
+  /// and handed copies, so that shapes which nobody keeps need no place in memory.
+  [[gnu::noinline]] static Vec3<T> stepped_inwards(Vec3<T> p, Triangle<T> corners, T clearance, Vec3<T> at) {
     const TriangleExtent<T> extent(corners);
     const auto least = [&](size_t corner) { return extent.inset(corner, clearance); };
-    p += step_from_edge(corners.b, corners.c, corners.a, least(0) - alpha);
-    p += step_from_edge(corners.c, corners.a, corners.b, least(1) - beta);
-    p += step_from_edge(corners.a, corners.b, corners.c, least(2) - gamma);
+    p += step_from_edge(corners.b, corners.c, corners.a, least(0) - at.x);
+    p += step_from_edge(corners.c, corners.a, corners.b, least(1) - at.y);
+    p += step_from_edge(corners.a, corners.b, corners.c, least(2) - at.z);
+    return p;
   }
 
   /// `share` of the altitude from the edge PQ to `corner`, at right angles to the edge; nothing if not
