@@ -139,7 +139,7 @@ TEST(factors, refuse_by_a_sentence_with_what_is_possible) {
   EXPECT_EQ(problem("width", "0"), "width = 0 is out of range: a whole number from 1 to 32768 is possible");
   EXPECT_EQ(problem("depth", "4x"),
             "depth = 4x is not a whole number in range: a whole number from 1 to 1024 is possible");
-  EXPECT_EQ(problem("accel", "kd"), "unknown accel \"kd\"; possible: sah, median, none");
+  EXPECT_EQ(problem("accel", "kd"), "unknown accel \"kd\"; possible: sah, sbvh, median, none");
   EXPECT_EQ(problem("pattern", "ring"),
             "unknown pattern \"ring\"; possible: grid, rotated_grid, circle, circle:RADIUS, "
             "circle:RADIUS:PHASE, halton, sobol, sobol:SEED");
