@@ -5,7 +5,8 @@
 
 namespace raysweep {
 
-/// From this size on an array is likely to hold a huge page, which is 2 MiB on most machines, whole.
+/// From this size on an array is as likely as not to hold a huge page, which is 2 MiB on most machines,
+/// whole.
 inline constexpr size_t least_huge_array = size_t{3} << 20;
 
 /// Asks the system to back as much of `memory` as it can with huge pages, which are much fewer to be set up

@@ -15,8 +15,9 @@ using RobustOracleCore = ScalarCore<float, WoopWatertight>;
 [[nodiscard]] OracleCore make_oracle(const Scene& scene);
 [[nodiscard]] RobustOracleCore make_robust_oracle(const Scene& scene);
 
-/// On every instruction set the fastest method and the watertight one, which is robust, each over a hierarchy
-/// of usual and one of high quality, with single rays and with packets. `scene` must outlive the team.
+/// On every instruction set of width 8, else on the best of width 4, the fastest method and the watertight
+/// one, which is robust, each over a hierarchy of usual and one of high quality, with single rays and with
+/// packets. `scene` must outlive the team.
 [[nodiscard]] Team make_our_team(const Scene& scene);
 
 }  // namespace raysweep

@@ -95,7 +95,7 @@ class RangesOf {
 /// those that fall by the upper one, the first of them as above, no box is met before both, and some ray may
 /// stay inside for ever. Offsets are moved to the safe side, and limits and far distances widened, as in
 /// Slot.
-struct Beam {
+struct alignas(16) Beam {
   /// The last of each near one is that of rays which fall while others rise; where there are none, the first
   /// one's again.
   float near_slope[4], near_offset[4], far_slope[4], far_offset[4];
