@@ -28,6 +28,18 @@ struct Part {
   [[nodiscard]] uint32_t count() const { return end - begin; }
 };
 
+/// Makes `part` an inner node, with places for its sides' nodes; the sides are split later, left first.
+template <class T>
+void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, UnsetVector<Node<T>>& nodes,
+                  std::vector<Part<T>>& to) {
+  left.node = static_cast<uint32_t>(nodes.size());
+  nodes[part.node] = {part.box.box(), left.node, 0};
+  right.node = left.node + 1;
+  to.push_back(right);
+  to.push_back(left);
+  nodes.resize(nodes.size() + 2);
+}
+
 /// All references, `count` of them at most, in two buffers between which they are copied to and fro.
 /// Different parts may be worked on at the same time.
 template <class T>

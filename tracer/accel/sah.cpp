@@ -151,16 +151,6 @@ class Builder {
     chunk.right = bounds_of_centres<T>(std::span(right, chunk.end - chunk.begin - left_count));
   }
 
-  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, UnsetVector<Node<T>>& nodes,
-                           std::vector<Part<T>>& to) {
-    left.node = static_cast<uint32_t>(nodes.size());
-    nodes[part.node] = {part.box.box(), left.node, 0};
-    right.node = left.node + 1;
-    to.push_back(right);
-    to.push_back(left);
-    nodes.resize(nodes.size() + 2);
-  }
-
   void build_subtrees() {
     std::vector<UnsetVector<Node<T>>> nodes(subtrees_.size());
     for_each_(nodes.size(), [&](size_t i) { nodes[i] = build_subtree(subtrees_[i]); });

@@ -75,16 +75,6 @@ class CuttingBuilder {
     return next;
   }
 
-  static void add_children(const Part<T>& part, Part<T>& left, Part<T>& right, UnsetVector<Node<T>>& nodes,
-                           std::vector<Part<T>>& to) {
-    left.node = static_cast<uint32_t>(nodes.size());
-    nodes[part.node] = {part.box.box(), left.node, 0};
-    right.node = left.node + 1;
-    to.push_back(right);
-    to.push_back(left);
-    nodes.resize(nodes.size() + 2);
-  }
-
   [[nodiscard]] Subtree<T> build_subtree(const Part<T>& root) {
     Subtree<T> made;
     made.nodes.emplace_back();
