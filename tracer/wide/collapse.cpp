@@ -1,11 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
-#include "tracer/accel/references.h"
 #include "tracer/wide/collapse_plan.h"
+#include "tracer/wide/node_of_children.h"
 
 namespace raysweep {
 
@@ -23,65 +21,6 @@ struct Items {
   uint32_t sphere_count;
   [[nodiscard]] bool is_sphere(uint32_t item) const { return item < sphere_count; }
 };
-
-template <int width>
-struct Children {
-  std::array<WideChild, width> what;
-  std::array<Box<float>, width> box;
-  size_t count = 0;
-  void add(WideChild child, const Box<float>& around) {
-    what[count] = child;
-    box[count++] = around;
-  }
-};
-
-/// Sets the children's numbers from far to near for each octant, by the boxes' centres along its diagonal;
-/// slots without a child count as farthest. Octants are compared side by side, four at a time.
-template <int width>
-void set_far_to_near(const std::array<Vec3<float>, width>& centres, size_t count, WideNode<width>& node) {
-  constexpr float inf = std::numeric_limits<float>::infinity();
-  constexpr Lanes<float> never{inf, inf, inf, inf};
-  for (size_t first = 0; first < 8; first += 4) {
-    std::array<Lanes<float>, width> along;
-    along.fill(never);
-    for (size_t i = 0; i < count; ++i) {
-      const auto& [x, y, z] = centres[i];
-      const float towards = first == 0 ? z : -z;
-      const Lanes<float> sum = Lanes<float>{x, -x, x, -x} + Lanes<float>{y, y, -y, -y} + towards;
-      along[i] = sum < never ? sum : never;  // infinite boxes may have centres that are no numbers
-    }
-    std::array<Counts<float>, width> rank{};
-    for (size_t i = 0; i < width; ++i) {
-      for (size_t j = i + 1; j < width; ++j) {
-        const Counts<float> is_behind = along[j] > along[i];  // −1 where it is
-        rank[i] -= is_behind;
-        rank[j] += is_behind + 1;
-      }
-    }
-    for (size_t lane = 0; lane < 4; ++lane) {
-      uint32_t packed = 0;
-      for (uint32_t i = 0; i < width; ++i) packed |= i << (rank[i][lane] * WideNode<width>::order_bits);
-      node.far_to_near[first + lane] = packed;
-    }
-  }
-}
-
-template <int width>
-WideNode<width> make_node(const Children<width>& children) {
-  WideNode<width> n;
-  std::array<Vec3<float>, width> centres;
-  for (size_t i = 0; i < width; ++i) {
-    const Box<float> box = i < children.count ? children.box[i] : Box<float>{};
-    for (int axis = 0; axis < 3; ++axis) {
-      n.bounds[axis][0][i] = box.lower()[axis];
-      n.bounds[axis][1][i] = box.upper()[axis];
-    }
-    n.children[i] = i < children.count ? children.what[i] : leaf_bit;
-    centres[i] = box.centre();
-  }
-  set_far_to_near<width>(centres, children.count, n);
-  return n;
-}
 
 /// Makes nodes and blocks of a part of the tree, numbered from 0; block 0 is the sentinel.
 template <int width>
@@ -112,7 +51,7 @@ class Emitter {
         children.add(inner, binary_.nodes[below].box);
       }
     }
-    tree.nodes[now.wide] = make_node(children);
+    tree.nodes[now.wide] = node_of(children);
   }
 
   /// `emit` for `root` and all below it.
@@ -279,7 +218,7 @@ Hierarchy<float> one_leaf(std::span<const Box<float>> boxes) {
 template <int width>
 WideTree<width> nothing() {
   WideTree<width> tree;
-  tree.nodes.push_back(make_node(Children<width>{}));
+  tree.nodes.push_back(node_of(Children<width>{}));
   tree.block_items.assign(width, no_hit_id);  // the sentinel's
   tree.block_goes_on.assign(1, 0);
   tree.depth = 1;

@@ -102,12 +102,12 @@ class PacketLoader {
             hn::Add(origin.z, hn::Mul(direction.z, t))};
   }
 
-  /// Aims from the rays' ends, if those take less room; whether they do. Ends of which one is not finite
-  /// never do.
+  /// Aims from the rays' ends, if those take less room; whether they do. Ends beyond what origins may be, or
+  /// not finite, never do.
   HWY_INLINE bool aim_back(Beam& beam, const Ranges& from, const RangesOf& ends, const Ranges& along) const {
     const Ranges to = ends.get();
     const float by = 32 * unit_roundoff<float> * (from.size() + to.size() + size_);
-    if (!(to.extent() + 2 * by < from.extent())) return false;
+    if (!(to.size() <= regular_high && to.extent() + 2 * by < from.extent())) return false;
     const AxisLanes way = hn::Set(Axes(), by);
     beam.aim({hn::Sub(to.least, way), hn::Add(to.most, way)}, along.negated());
     return true;
