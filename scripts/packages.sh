@@ -2,7 +2,7 @@
 
 # To build and run.
 build_packages=(g++ cmake ninja-build pkg-config libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libhwloc-dev
-  libxxhash-dev libstb-dev libopenexr-dev libboost-dev libeigen3-dev libhwy-dev)
+  libxxhash-dev libstb-dev libopenexr-dev libboost-dev libeigen3-dev libhwy-dev libgmp-dev)
 # Each of these may be missing; what it brings is then missing too. OpenMP on libgomp comes with g++; clang and libomp-dev
 # build the same schedulers for LLVM's runtime. zlib1g-dev is Assimp's: its package links to it without depending on it.
 optional_packages=(libtbb-dev clang libomp-dev libassimp-dev zlib1g-dev libbenchmark-dev libembree-dev)
