@@ -1,0 +1,71 @@
+#include "experiments/intersection/tally.h"
+
+#include <cmath>
+
+#include "results/statistics/statistics.h"
+
+namespace raysweep {
+
+namespace {
+
+using Wide = Vec3<long double>;
+
+template <class T>
+Wide point_of(const Triangle<T>& triangle, const TriangleHit<T>& hit) {
+  const Wide a(triangle.a), b(triangle.b), c(triangle.c);
+  const long double beta = hit.beta, gamma = hit.gamma;
+  return a + (b - a) * beta + (c - a) * gamma;
+}
+
+}  // namespace
+
+void Tally::count(bool is_hit, Verdict verdict, bool must_miss) {
+  ++trials;
+  if (must_miss) verdict = Verdict::miss;
+  hits += verdict == Verdict::hit;
+  boundary += verdict == Verdict::boundary;
+  false_hits += is_hit && verdict == Verdict::miss;
+  false_misses += !is_hit && verdict == Verdict::hit;
+}
+
+template <class T>
+void Tally::measure(const JudgedHit<T>& judged) {
+  const auto& [ray, triangle, hit, exact] = judged;
+  if (!std::isfinite(hit.t) || !std::isfinite(hit.beta) || !std::isfinite(hit.gamma)) {
+    ++nonfinite;
+    return;
+  }
+  if (exact.verdict == Verdict::miss || std::isnan(exact.t)) return;
+  const long double epsilon = std::numeric_limits<T>::epsilon();
+  const long double of_t = std::abs(hit.t - exact.t);
+  if (exact.t != 0) t_error.push_back(static_cast<double>(of_t / (epsilon * std::abs(exact.t))));
+  uv_error.push_back(
+      static_cast<double>(std::max(std::abs(hit.beta - exact.beta), std::abs(hit.gamma - exact.gamma))));
+  const Wide along = Wide(ray.origin) + Wide(ray.direction) * static_cast<long double>(hit.t);
+  const T corners = std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
+  const long double largest = std::max(corners, max_abs(ray.origin));
+  difference.push_back(static_cast<double>(max_abs(along - point_of(triangle, hit)) / (epsilon * largest)));
+  // The point was on the plane at t*, and leaves it by `rise` for each 1 of t.
+  if (max_abs(along) > 0)
+    off_plane.push_back(static_cast<double>(of_t * exact.rise / (epsilon * max_abs(along))));
+}
+
+void Tally::close_ray(size_t candidates, size_t found, size_t expected) {
+  ++rays;
+  if (candidates < 2) return;
+  missed_rays += found == 0 && expected > 0;
+  extra_rays += found > expected;
+  uncovered_rays += expected == 0;
+}
+
+ErrorSummary Tally::summary(const std::vector<double>& errors) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (errors.empty()) return {0, nan, nan, nan, nan};
+  return {errors.size(), quantile(errors, 0.5), quantile(errors, 0.99), quantile(errors, 0.999),
+          quantile(errors, 1)};
+}
+
+template void Tally::measure(const JudgedHit<float>&);
+template void Tally::measure(const JudgedHit<double>&);
+
+}  // namespace raysweep
