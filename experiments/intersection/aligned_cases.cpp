@@ -57,24 +57,22 @@ void aligned_camera(Trials<T>& trials, double shift, Random& random, size_t coun
   }
 }
 
-/// Straight down on corners and on points of edges and diagonals, all of them on the lattice.
+/// Straight down on corners, and on the lattice's points that are nearest to points of edges.
 template <class T>
 void lattice_mesh(Trials<T>& trials, double bits, Random& random, size_t count) {
-  constexpr int side = 16;
-  const double spacing = std::ldexp(1.0, static_cast<int>(bits) - 5);
-  const IndexMesh sheet = sheet_mesh(side, 8, spacing, random);
+  constexpr int side = 15;
+  const size_t spacing = size_t{1} << (static_cast<int>(bits) - 4);
+  const IndexMesh sheet = sheet_mesh(side, spacing, random);
   const MeshOf<T> mesh(sheet, {0, 0, 0});
   trials.triangles = mesh.triangles();
+  const T border = static_cast<T>(side * spacing), height = static_cast<T>(2 * spacing);
+  const auto is_inside = [&](T p) { return p > 0 && p < border; };
   while (trials.rays.size() < count) {
     const auto [from, to] = mesh.any_edge(random);
-    const Vec3<T>&a = mesh.vertex(from), &b = mesh.vertex(to);
-    const T border = static_cast<T>(side * spacing);
-    const auto is_at_border = [&](T p, T q) { return p == q && (p == 0 || p == border); };
-    if (is_at_border(a.x, b.x) || is_at_border(a.y, b.y)) continue;
-    const T share = random.index(3) == 0 ? T(0) : static_cast<T>(random.index(8)) / 8;
-    const Vec3<T> target = a + (b - a) * share;
-    if (target.x == 0 || target.y == 0 || target.x == border || target.y == border) continue;
-    trials.add({{target.x, target.y, static_cast<T>(16 * spacing)}, {0, 0, -1}}, mesh.around({from, to}));
+    const T share = random.index(3) == 0 ? T(0) : static_cast<T>(uniform(random));
+    const Vec3<T> target = mesh.vertex(from) + (mesh.vertex(to) - mesh.vertex(from)) * share;
+    const T x = std::nearbyint(target.x), y = std::nearbyint(target.y);
+    if (is_inside(x) && is_inside(y)) trials.add({{x, y, height}, {0, 0, -1}}, mesh.around({from, to}));
   }
 }
 

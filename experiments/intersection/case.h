@@ -52,10 +52,10 @@ struct Case {
   template <class T>
   using Maker = std::function<void(Trials<T>& trials, double difficulty, Random& random, size_t count)>;
 
-  std::string_view id, title, source;
+  std::string_view id{}, title{}, source{};
   Expectation expectation{};
-  std::string_view difficulty;
-  std::vector<double> difficulties;
+  std::string_view difficulty{};
+  std::vector<double> difficulties{};
   Maker<float> of_floats{};
   Maker<double> of_doubles{};
 

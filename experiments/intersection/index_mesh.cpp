@@ -27,11 +27,18 @@ IndexMesh sphere_mesh(int around, int rings, double least, double rough, Random&
   return mesh;
 }
 
-IndexMesh sheet_mesh(int side, size_t heights, double spacing, Random& random) {
+IndexMesh sheet_mesh(int side, size_t spacing, Random& random) {
   IndexMesh mesh;
-  for (int y = 0; y <= side; ++y) {
-    for (int x = 0; x <= side; ++x)
-      mesh.vertices.emplace_back(Vec3d(x, y, static_cast<double>(random.index(heights))) * spacing);
+  const auto coordinate = [&](int i, bool is_inside) {
+    const double moved = is_inside ? random.sign() * static_cast<double>(random.index((spacing + 3) / 4)) : 0;
+    return i * static_cast<double>(spacing) + moved;
+  };
+  for (int j = 0; j <= side; ++j) {
+    for (int i = 0; i <= side; ++i) {
+      const bool is_inside = i > 0 && i < side && j > 0 && j < side;
+      const double x = coordinate(i, is_inside), y = coordinate(j, is_inside);
+      mesh.vertices.emplace_back(x, y, static_cast<double>(random.index(2 * spacing)));
+    }
   }
   const auto at = [&](int x, int y) { return static_cast<uint32_t>(y * (side + 1) + x); };
   for (int y = 0; y < side; ++y) {

@@ -19,9 +19,9 @@ struct IndexMesh {
 /// A closed sphere of 2·around·(rings − 1) triangles between meridians and parallels, around the y axis, the
 /// first meridian in the plane z = 0; radius `least` + U(0, `rough`) at each vertex.
 [[nodiscard]] IndexMesh sphere_mesh(int around, int rings, double least, double rough, Random& random);
-/// A sheet of 2·side² triangles, its vertices at integers 0 to `side` of x and y, their z at the integers
-/// from 0 to `heights` − 1; all is then multiplied by `spacing`.
-[[nodiscard]] IndexMesh sheet_mesh(int side, size_t heights, double spacing, Random& random);
+/// A sheet of 2·side² triangles of integer coordinates over a square: its vertices are `spacing` apart in x
+/// and y, those inside moved by less than a quarter of that, and from 0 to 2·spacing − 1 high.
+[[nodiscard]] IndexMesh sheet_mesh(int side, size_t spacing, Random& random);
 
 /// A mesh rounded to T, its vertices first moved by `offset`, and the triangles around each vertex.
 template <class T>

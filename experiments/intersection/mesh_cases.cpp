@@ -5,6 +5,36 @@ namespace raysweep {
 
 namespace {
 
+/// A place as a corner and a way from there, and the triangles there. Far from the origin the sum would be
+/// rounded to another place, but the corner as seen from a point nearby is not.
+template <class T>
+struct Aim {
+  Vec3<T> corner, onwards;
+  std::vector<uint32_t> candidates;
+};
+
+template <class T>
+Aim<T> at_edge(const MeshOf<T>& mesh, Random& random) {
+  const auto [a, b] = mesh.any_edge(random);
+  const T share = static_cast<T>(uniform(random));
+  return {mesh.vertex(a), (mesh.vertex(b) - mesh.vertex(a)) * share, mesh.around({a, b})};
+}
+
+template <class T>
+Aim<T> at_corner(const MeshOf<T>& mesh, Random& random) {
+  const uint32_t a = mesh.any_edge(random).first;
+  return {mesh.vertex(a), {0, 0, 0}, mesh.around({a})};
+}
+
+template <class T>
+Aim<T> at_inside(const MeshOf<T>& mesh, Random& random) {
+  const auto& corners = mesh.any_triangle(random);
+  const double u = uniform(random), v = uniform(random) * (1 - u);
+  const Vec3<T>&a = mesh.vertex(corners[0]), &b = mesh.vertex(corners[1]), &c = mesh.vertex(corners[2]);
+  return {a, (b - a) * static_cast<T>(u) + (c - a) * static_cast<T>(v),
+          mesh.around({corners[0], corners[1], corners[2]})};
+}
+
 /// Whether `origin` sees the inside of all `triangles` at more than a thousandth of grazing. The surface is
 /// then a single layer there, and a ray at an edge hits what is around it even when it misses the edge.
 template <class T>
@@ -26,34 +56,10 @@ void from_inside(Trials<T>& trials, const Vec3d& offset, Random& random, size_t 
   trials.triangles = mesh.triangles();
   while (trials.rays.size() < count) {
     const Vec3<T> origin(point_in_ball(random) * 0.5 + offset);
-    const auto [target, candidates] = aim(mesh, random);
-    if (faces(mesh, candidates, origin)) trials.add(aimed(origin, target), candidates);
+    const auto at = aim(mesh, random);
+    if (faces(mesh, at.candidates, origin))
+      trials.add({origin, normalize((at.corner - origin) + at.onwards)}, at.candidates);
   }
-}
-
-template <class T>
-using Aim = std::pair<Vec3<T>, std::vector<uint32_t>>;
-
-template <class T>
-Aim<T> at_edge(const MeshOf<T>& mesh, Random& random) {
-  const auto [a, b] = mesh.any_edge(random);
-  const T share = static_cast<T>(uniform(random));
-  return {mesh.vertex(a) + (mesh.vertex(b) - mesh.vertex(a)) * share, mesh.around({a, b})};
-}
-
-template <class T>
-Aim<T> at_corner(const MeshOf<T>& mesh, Random& random) {
-  const uint32_t a = mesh.any_edge(random).first;
-  return {mesh.vertex(a), mesh.around({a})};
-}
-
-template <class T>
-Aim<T> at_inside(const MeshOf<T>& mesh, Random& random) {
-  const auto& corners = mesh.any_triangle(random);
-  const double u = uniform(random), v = uniform(random) * (1 - u);
-  const Vec3<T>&a = mesh.vertex(corners[0]), &b = mesh.vertex(corners[1]), &c = mesh.vertex(corners[2]);
-  return {a + (b - a) * static_cast<T>(u) + (c - a) * static_cast<T>(v),
-          mesh.around({corners[0], corners[1], corners[2]})};
 }
 
 /// Rays that `aim` sends near, `ulps` of 2 away from there.
@@ -64,7 +70,7 @@ auto beside(Function aim) {
     from_inside(trials, {0, 0, 0}, random, count, [&](const MeshOf<T>& mesh, Random& draw) {
       auto found = aim(mesh, draw);
       const double distance = 2 * static_cast<double>(std::numeric_limits<T>::epsilon()) * ulps;
-      found.first += Vec3<T>(any_direction(draw) * distance);
+      found.onwards += Vec3<T>(any_direction(draw) * distance);
       return found;
     });
   };

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "experiments/intersection/draw.h"
 #include "experiments/intersection/families.h"
 
@@ -49,11 +51,13 @@ void long_ray(Trials<T>& trials, double t, Random& random) {
   trials.add({origin, (Vec3<T>(target) - origin) * static_cast<T>(1 / t)}, rounded<T>(unit));
 }
 
-/// Sizes of T itself, whose smallest normal number is far from that of other types.
+/// Of a size on the way of T's exponents down to the smallest normal number, at 1, and on its digits to the
+/// smallest number of all, at 2.
 template <class T>
-void subnormal(Trials<T>& trials, double bits, Random& random) {
-  const double size = std::ldexp(1.0, std::numeric_limits<T>::min_exponent - static_cast<int>(bits));
-  self_similar(trials, size, random);
+void near_underflow(Trials<T>& trials, double way, Random& random) {
+  using Limits = std::numeric_limits<T>;
+  const double exponent = Limits::min_exponent * std::min(way, 1.0) - Limits::digits * std::max(way - 1, 0.0);
+  self_similar(trials, std::ldexp(1.0, static_cast<int>(exponent)), random);
 }
 
 }  // namespace
@@ -103,9 +107,9 @@ std::vector<Case> scale_cases() {
                  "subnormal coordinates",
                  ours,
                  Expectation::decided,
-                 "bits by which the size is below the smallest normal number",
-                 {-16, -8, 0, 4, 8, 16}},
-                [](auto& trials, double bits, Random& random) { subnormal(trials, bits, random); }),
+                 "size on the way to 0: 1 the smallest normal number, 2 the smallest number",
+                 {0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6}},
+                [](auto& trials, double way, Random& random) { near_underflow(trials, way, random); }),
   };
 }
 

@@ -43,11 +43,12 @@ void Tally::measure(const JudgedHit<T>& judged) {
       static_cast<double>(std::max(std::abs(hit.beta - exact.beta), std::abs(hit.gamma - exact.gamma))));
   const Wide along = Wide(ray.origin) + Wide(ray.direction) * static_cast<long double>(hit.t);
   const T corners = std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
-  const long double largest = std::max(corners, max_abs(ray.origin));
-  difference.push_back(static_cast<double>(max_abs(along - point_of(triangle, hit)) / (epsilon * largest)));
+  const long double of_difference = max_abs(along - point_of(triangle, hit));
+  difference.push_back(
+      static_cast<double>(of_difference / (epsilon * std::max(corners, max_abs(ray.origin)))));
   // The point was on the plane at t*, and leaves it by `rise` for each 1 of t.
-  if (max_abs(along) > 0)
-    off_plane.push_back(static_cast<double>(of_t * exact.rise / (epsilon * max_abs(along))));
+  const long double place = std::max(max_abs(along), static_cast<long double>(corners));
+  if (place > 0) off_plane.push_back(static_cast<double>(of_t * exact.rise / (epsilon * place)));
 }
 
 void Tally::close_ray(size_t candidates, size_t found, size_t expected) {

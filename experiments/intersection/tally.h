@@ -37,11 +37,12 @@ struct Tally {
   // Of rays with two candidates or more: without any hit though the oracle has one or a boundary; with more
   // hits than the oracle has hits and boundaries.
   size_t missed_rays = 0, extra_rays = 0;
-  size_t uncovered_rays = 0;       // that meet no candidate by the oracle either
-  std::vector<double> t_error;     // |t − t*| / (ε·|t*|)
-  std::vector<double> uv_error;    // max(|β − β*|, |γ − γ*|)
-  std::vector<double> difference;  // ‖(O + tD) − P(β, γ)‖∞ / (ε·largest coordinate)
-  std::vector<double> off_plane;   // distance of O + tD from the plane / (ε·largest coordinate of O + tD)
+  size_t uncovered_rays = 0;     // that meet no candidate by the oracle either
+  std::vector<double> t_error;   // |t − t*| / (ε·|t*|)
+  std::vector<double> uv_error;  // max(|β − β*|, |γ − γ*|)
+  std::vector<double> difference;  // ‖(O + tD) − P(β, γ)‖∞ / (ε·largest coordinate of O and the corners)
+  std::vector<double>
+      off_plane;  // distance of O + tD from the plane / (ε·largest coordinate of it and the corners)
 
   /// One trial; `must_miss` turns every verdict into a miss.
   void count(bool is_hit, Verdict verdict, bool must_miss);
