@@ -14,6 +14,12 @@ namespace raysweep {
 template <class T>
 struct Triangle {
   Vec3<T> a, b, c;
+
+  /// With numbers of another type.
+  template <class U>
+  [[nodiscard]] Triangle<U> as() const {
+    return {Vec3<U>(a), Vec3<U>(b), Vec3<U>(c)};
+  }
 };
 
 /// Where a ray meets a triangle: at `origin + t·direction` = `(1−β−γ)A + βB + γC`.

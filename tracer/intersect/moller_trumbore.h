@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "tracer/intersect/intersector.h"
+#include "tracer/intersect/formula.h"
 
 namespace raysweep {
 
@@ -12,10 +12,18 @@ struct MollerTrumbore {
   static constexpr std::string_view summary =
       "Moeller & Trumbore 1997; edges precomputed, barycentric tests first";
   static constexpr bool is_watertight = false;
+  static constexpr bool gives_weights = true;
+  static constexpr Division division = Division::early;
+  static constexpr Order order = Order::weights_first;
 
   template <class T>
   struct Prepared {
     Vec3<T> a, ab, ac;
+
+    template <class U>
+    [[nodiscard]] Prepared<U> as() const {
+      return {Vec3<U>(a), Vec3<U>(ab), Vec3<U>(ac)};
+    }
   };
 
   template <class T>
@@ -38,6 +46,25 @@ struct MollerTrumbore {
     if (!(t > 0 && t < std::numeric_limits<T>::infinity())) return std::nullopt;
     return TriangleHit<T>{t, beta, gamma};
   }
+
+  /// The formula for the study: what `intersect` computes.
+  template <class V>
+  class Terms {
+   public:
+    Terms(const Ray<V>& ray, const Prepared<V>& tri)
+        : direction_(ray.direction), ab_(tri.ab), ac_(tri.ac), ao_(ray.origin - tri.a) {}
+
+    [[nodiscard]] V det() const { return dot(ab_, p()); }
+    [[nodiscard]] V t() const { return dot(ac_, q()); }
+    [[nodiscard]] V beta() const { return dot(ao_, p()); }
+    [[nodiscard]] V gamma() const { return dot(direction_, q()); }
+
+   private:
+    [[nodiscard]] Vec3<V> p() const { return cross(direction_, ac_); }
+    [[nodiscard]] Vec3<V> q() const { return cross(ao_, ab_); }
+
+    Vec3<V> direction_, ab_, ac_, ao_;
+  };
 };
 
 }  // namespace raysweep

@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "tracer/intersect/intersector.h"
+#include "tracer/intersect/formula.h"
 
 namespace raysweep {
 
@@ -17,6 +17,9 @@ struct WoopWatertight {
   static constexpr std::string_view summary =
       "Woop, Benthin & Wald 2013; sheared along the ray, no ray passes at edges and corners";
   static constexpr bool is_watertight = true;
+  static constexpr bool gives_weights = true;
+  static constexpr Division division = Division::early;
+  static constexpr Order order = Order::weights_first;
 
   template <class T>
   using Prepared = Triangle<T>;
@@ -44,6 +47,35 @@ struct WoopWatertight {
     if (!exact.is_inside()) return std::nullopt;
     return hit(exact, wide_a, wide_b, wide_c, shear.along);
   }
+
+  /// The formula for the study, without what makes `intersect` certain: edge functions are those of V, never
+  /// of a wider type, and weights may round above 1. So it is the paper's method without its fallback.
+  template <class V>
+  class Terms {
+   public:
+    Terms(const Ray<V>& ray, const Prepared<V>& tri) {
+      const Axis<V> axis = dominant_axis(ray.direction);
+      const Projected<V> d = project(ray.direction, axis);
+      along_ = V(1) / d.w;
+      const auto sheared = [&](const Vec3<V>& corner) {
+        const Projected<V> p = project(corner - ray.origin, axis);
+        return Vec3<V>(p.u - d.u * along_ * p.w, p.v - d.v * along_ * p.w, p.w);
+      };
+      a_ = sheared(tri.a);
+      b_ = sheared(tri.b);
+      c_ = sheared(tri.c);
+    }
+
+    [[nodiscard]] V det() const { return alpha() + beta() + gamma(); }
+    [[nodiscard]] V t() const { return (alpha() * a_.z + beta() * b_.z + gamma() * c_.z) * along_; }
+    [[nodiscard]] V alpha() const { return c_.x * b_.y - c_.y * b_.x; }
+    [[nodiscard]] V beta() const { return a_.x * c_.y - a_.y * c_.x; }
+    [[nodiscard]] V gamma() const { return b_.x * a_.y - b_.y * a_.x; }
+
+   private:
+    V along_;
+    Vec3<V> a_, b_, c_;
+  };
 
  private:
   /// Holds the product of two T without error; in double an edge function of 0 stays what it is, and the edge
