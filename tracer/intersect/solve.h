@@ -148,8 +148,9 @@ template <Edges edges, class Test, class V>
 }
 
 /// Compares in the order of the variant. Every comparison says what holds of a hit: NaN fails it.
+/// Always inlined, as are those below: left to the compiler, calls cost some methods more than their formula.
 template <Variant variant, class V, class Test>
-[[nodiscard]] Solution<V> decide(const Test& test) {
+[[nodiscard, gnu::always_inline]] inline Solution<V> decide(const Test& test) {
   const V unknown = not_given(V());
   Solution<V> solution{V(0) == V(0), unknown, unknown, unknown};
   const auto ends_at = [&](const MaskOf<V>& claim) {
@@ -183,8 +184,8 @@ using TriangleFor =
 /// Where `ray` meets `triangle` with 0 < t < t_max, for all lanes of `V` at once. A ray parallel to the plane
 /// misses, and so does one where anything is NaN or infinite, but for t_max.
 template <class Method, Variant variant, class V>
-[[nodiscard]] Solution<V> solve_lanes(const Ray<V>& ray, const TriangleFor<Method, variant, V>& triangle,
-                                      const V& t_max) {
+[[nodiscard, gnu::always_inline]] inline Solution<V> solve_lanes(
+    const Ray<V>& ray, const TriangleFor<Method, variant, V>& triangle, const V& t_max) {
   static_assert(applies<Method, V>(variant), "why_not says why");
   if constexpr (variant.data == Data::bare && has_constants<Method>) {
     constexpr Variant prepared = [] {
@@ -206,9 +207,8 @@ template <class Method, Variant variant, class V>
 
 /// The same for one ray. What the variant was not asked for is NaN in the hit.
 template <class Method, Variant variant, class V>
-[[nodiscard]] std::optional<TriangleHit<V>> solve(const Ray<V>& ray,
-                                                  const TriangleFor<Method, variant, V>& triangle,
-                                                  const V& t_max) {
+[[nodiscard, gnu::always_inline]] inline std::optional<TriangleHit<V>> solve(
+    const Ray<V>& ray, const TriangleFor<Method, variant, V>& triangle, const V& t_max) {
   const Solution<V> solution = solve_lanes<Method, variant, V>(ray, triangle, t_max);
   if (!solution.accepted) return std::nullopt;
   return TriangleHit<V>{solution.t, solution.beta, solution.gamma};
