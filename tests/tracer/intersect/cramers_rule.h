@@ -5,7 +5,7 @@
 
 #include "tests/tracer/intersect/exact.h"
 #include "tests/tracer/intersect/lattice.h"
-#include "tracer/intersect/study.h"
+#include "tests/tracer/intersect/which_variants.h"
 
 namespace raysweep {
 
@@ -39,8 +39,9 @@ void expect_cramer(const LatticePair& pair, const Cramer& expected, int64_t t_ma
   }
 }
 
-/// Every variant of every method that exists for rationals, on `pair_count` pairs of which many are special.
-inline void expect_cramers_rule(uint64_t seed, int pair_count) {
+/// The variants of every method that exist for rationals, on `pair_count` pairs of which many are special.
+template <WhichVariants which>
+void expect_cramers_rule(uint64_t seed, int pair_count) {
   LatticeRandom random(seed);
   int hits = 0, borders = 0, without_point = 0, behind = 0, at_origin = 0, at_limit = 0;
   for (int i = 0; i < pair_count; ++i) {
@@ -50,7 +51,7 @@ inline void expect_cramers_rule(uint64_t seed, int pair_count) {
     SCOPED_TRACE(i);
     for_each_study_method([&]<class Method>(Method) {
       if constexpr (Formula<Method, Exact>)
-        for_each_variant<Method, Exact>(
+        for_each_variant_of<which, Method, Exact>(
             [&]<Variant variant> { expect_cramer<Method, variant>(pair, expected, t_max); });
     });
     if (testing::Test::HasFatalFailure()) return;

@@ -5,11 +5,11 @@ namespace raysweep {
 namespace {
 
 TEST(formulas_rounded, every_variant_in_double_is_right_but_for_rounding) {
-  expect_near_values<double>(1, 100'000);
+  expect_near_values<WhichVariants::star, double>(1, 100'000);
 }
 
 TEST(formulas_rounded, every_variant_in_float_is_right_but_for_rounding) {
-  expect_near_values<float>(2, 100'000);
+  expect_near_values<WhichVariants::star, float>(2, 100'000);
 }
 
 }  // namespace

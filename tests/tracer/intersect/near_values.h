@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/tracer/intersect/lattice.h"
-#include "tracer/intersect/study.h"
+#include "tests/tracer/intersect/which_variants.h"
 
 namespace raysweep {
 
@@ -82,9 +82,9 @@ class NearVariant {
   long double tolerance_;
 };
 
-/// Every variant of every method on those of `pair_count` pairs that are neither near an edge nor ill-shaped:
+/// The variants of every method on those of `pair_count` pairs that are neither near an edge nor ill-shaped:
 /// decisions are right, and errors of t and of weights are those of a few hundred roundings.
-template <class T>
+template <WhichVariants which, class T>
 void expect_near_values(uint64_t seed, int pair_count) {
   constexpr long double epsilon = std::numeric_limits<T>::epsilon();
   LatticeRandom random(seed);
@@ -98,7 +98,7 @@ void expect_near_values(uint64_t seed, int pair_count) {
     SCOPED_TRACE(i);
     for_each_study_method([&]<class Method>(Method) {
       LargestErrors& largest = errors[std::string(Method::name)];
-      for_each_variant<Method, T>([&]<Variant variant> {
+      for_each_variant_of<which, Method, T>([&]<Variant variant> {
         NearVariant<Method, variant, T>(512 * epsilon)
             .add(pair.ray<T>(unit<T>), pair.triangle<T>(unit<T>), *expected, largest);
       });
