@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <sstream>
+
+#include "results/record_lines.h"
 
 template <>
 struct nlohmann::adl_serializer<std::optional<double>> {
@@ -153,18 +153,8 @@ Record record_from_json(const nlohmann::json& json) {
 }
 
 std::vector<Record> read_records(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw RecordError(fmt::format("{}: cannot be opened", file.string()));
   std::vector<Record> records;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    if (in.eof()) break;  // no newline: the writer was stopped inside this line
-    try {
-      records.push_back(record_from_json(nlohmann::json::parse(line)));
-    } catch (const std::exception& error) {
-      throw RecordError(fmt::format("{}:{}: not a record: {}", file.string(), number, error.what()));
-    }
-  }
+  for_each_record_line(file, [&](const nlohmann::json& line) { records.push_back(record_from_json(line)); });
   return records;
 }
 

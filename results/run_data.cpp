@@ -2,19 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "results/plan_file.h"
 
 namespace raysweep {
 
 RunData read_run(const std::filesystem::path& folder) {
-  const std::filesystem::path plan_file = folder / "plan.json";
-  std::ifstream in(plan_file, std::ios::binary);
-  if (!in)
+  const nlohmann::json plan = read_plan_file(folder);
+  if (const std::string kind = plan.value("kind", "picture"); kind != "picture")
     throw RecordError(
-        fmt::format("{}: no run is here: {} cannot be opened", folder.string(), plan_file.string()));
+        fmt::format("{}: a run of kind \"{}\", where one of pictures is needed", folder.string(), kind));
   try {
-    const auto plan = nlohmann::json::parse(in);
     std::vector<Record> planned;
     for (const auto& cell : plan.at("cells")) planned.push_back(record_from_json(cell));
     RunData run;
@@ -24,7 +23,7 @@ RunData read_run(const std::filesystem::path& folder) {
     run.rows = summarise(run.records, planned, plan.at("interval").get<double>());
     return run;
   } catch (const nlohmann::json::exception& error) {
-    throw RecordError(fmt::format("{}: not a plan: {}", plan_file.string(), error.what()));
+    throw not_a_plan(folder, error.what());
   }
 }
 

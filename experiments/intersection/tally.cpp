@@ -1,8 +1,8 @@
 #include "experiments/intersection/tally.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "results/statistics/statistics.h"
+#include <limits>
 
 namespace raysweep {
 
@@ -17,6 +17,10 @@ Wide point_of(const Triangle<T>& triangle, const TriangleHit<T>& hit) {
   return a + (b - a) * beta + (c - a) * gamma;
 }
 
+double as_double(long double error) {
+  return static_cast<double>(std::min(error, static_cast<long double>(std::numeric_limits<double>::max())));
+}
+
 }  // namespace
 
 void Tally::count(bool is_hit, Verdict verdict, bool must_miss) {
@@ -29,31 +33,33 @@ void Tally::count(bool is_hit, Verdict verdict, bool must_miss) {
 }
 
 template <class T>
-void Tally::measure(const JudgedHit<T>& judged) {
+void Tally::measure(const JudgedHit<T>& judged, Output output) {
+  if (output == Output::hit) return;
   const auto& [ray, triangle, hit, exact] = judged;
-  if (!std::isfinite(hit.t) || !std::isfinite(hit.beta) || !std::isfinite(hit.gamma)) {
+  const bool has_weights = output == Output::weights;
+  if (!std::isfinite(hit.t) || (has_weights && !(std::isfinite(hit.beta) && std::isfinite(hit.gamma)))) {
     ++nonfinite;
     return;
   }
   if (exact.verdict == Verdict::miss || std::isnan(exact.t)) return;
   const long double epsilon = std::numeric_limits<T>::epsilon();
   const long double of_t = std::abs(hit.t - exact.t);
-  if (exact.t != 0) t_error.push_back(static_cast<double>(of_t / (epsilon * std::abs(exact.t))));
-  uv_error.push_back(
-      static_cast<double>(std::max(std::abs(hit.beta - exact.beta), std::abs(hit.gamma - exact.gamma))));
+  if (exact.t != 0) t_error.push_back(as_double(of_t / (epsilon * std::abs(exact.t))));
   const Wide along = Wide(ray.origin) + Wide(ray.direction) * static_cast<long double>(hit.t);
   const T corners = std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
-  const long double of_difference = max_abs(along - point_of(triangle, hit));
-  difference.push_back(
-      static_cast<double>(of_difference / (epsilon * std::max(corners, max_abs(ray.origin)))));
   // The point was on the plane at t*, and leaves it by `rise` for each 1 of t.
   const long double place = std::max(max_abs(along), static_cast<long double>(corners));
-  if (place > 0) off_plane.push_back(static_cast<double>(of_t * exact.rise / (epsilon * place)));
+  if (place > 0) off_plane.push_back(as_double(of_t * exact.rise / (epsilon * place)));
+  if (!has_weights) return;
+  uv_error.push_back(as_double(std::max(std::abs(hit.beta - exact.beta), std::abs(hit.gamma - exact.gamma))));
+  const long double of_difference = max_abs(along - point_of(triangle, hit));
+  difference.push_back(as_double(of_difference / (epsilon * std::max(corners, max_abs(ray.origin)))));
 }
 
 void Tally::close_ray(size_t candidates, size_t found, size_t expected) {
   ++rays;
   if (candidates < 2) return;
+  ++mesh_rays;
   missed_rays += found == 0 && expected > 0;
   extra_rays += found > expected;
   uncovered_rays += expected == 0;
@@ -66,7 +72,27 @@ ErrorSummary Tally::summary(const std::vector<double>& errors) {
           quantile(errors, 1)};
 }
 
-template void Tally::measure(const JudgedHit<float>&);
-template void Tally::measure(const JudgedHit<double>&);
+template <class T>
+Tally tally_of(const JudgedTrials<T>& judged, const Hits<T>& hits, Output output) {
+  const auto& [trials, exact, must_miss] = judged;
+  Tally tally;
+  for (const Trial<T>& trial : trials.rays) {
+    size_t found = 0, expected = 0;
+    for (size_t i = trial.first; i < trial.first + trial.count; ++i) {
+      const Verdict verdict = exact[i].verdict;
+      tally.count(hits[i].has_value(), verdict, must_miss);
+      found += hits[i].has_value();
+      expected += verdict != Verdict::miss && !must_miss;
+      if (!hits[i]) continue;
+      const Triangle<T>& triangle = trials.triangles[trials.candidates[i]];
+      tally.measure(JudgedHit<T>{trial.ray, triangle, *hits[i], exact[i]}, output);
+    }
+    tally.close_ray(trial.count, found, expected);
+  }
+  return tally;
+}
+
+template Tally tally_of(const JudgedTrials<float>&, const Hits<float>&, Output);
+template Tally tally_of(const JudgedTrials<double>&, const Hits<double>&, Output);
 
 }  // namespace raysweep

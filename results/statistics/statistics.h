@@ -1,6 +1,7 @@
 // Medians and their intervals: pure functions of samples.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct Estimate {
 /// What the share `share`, 0 to 1, of the samples is below, between neighbours by a straight line: definition
 /// 7 of Hyndman & Fan 1996, the default of R and NumPy. Not for an empty list.
 [[nodiscard]] double quantile(std::vector<double> samples, double share);
+
+/// What no failure in `count` tries lets expect at most, as a share, at 95 %: 3/n ("rule of three", Hanley &
+/// Lippman-Hand 1983).
+[[nodiscard]] constexpr double zero_failures_bound(size_t count) {
+  return count == 0 ? 1 : 3 / static_cast<double>(count);
+}
 
 /// How many order statistics to leave out on each side: the largest k for which [x(k+1), x(n−k)] covers the
 /// median with at least 95 %, whatever the distribution: coverage is 1 − 2·P(B ≤ k), B binomial(n, ½). None

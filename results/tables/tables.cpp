@@ -1,24 +1,13 @@
 #include "results/tables/tables.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "results/hyper_threading.h"
 #include "results/tables/frame_tables.h"
 #include "results/tables/scaling_laws_tables.h"
+#include "results/tables/write_file.h"
 
 namespace raysweep {
-
-namespace {
-
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
-}  // namespace
 
 nlohmann::json rows_as_json(const Table& table) {
   auto list = nlohmann::json::array();

@@ -1,0 +1,46 @@
+// Every method of the study in every variant, as functions over whole batches: what is measured is one list.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/intersection/judged.h"
+#include "tracer/intersect/variant.h"
+
+namespace raysweep {
+
+/// A method in one variant over numbers of type `T`, float or double.
+template <class T>
+struct Subject {
+  std::string_view method;
+  std::string change;  // what differs from the method's base variant: "division=late"; "base" for itself
+  Variant variant;
+  Hits<T> (*find_hits)(const Trials<T>& trials);  // constants of triangles are computed ahead or in each test
+};
+
+/// A variant that a method does not have, and why not.
+struct Inapplicable {
+  std::string_view method;
+  std::string change;
+  std::string_view precision, reason;
+};
+
+/// The names of the methods, in the order of the study's list.
+[[nodiscard]] const std::vector<std::string_view>& study_method_names();
+
+/// Of each method its base variant, then those that differ from it in one factor, as far as they apply.
+template <class T>
+[[nodiscard]] const std::vector<Subject<T>>& all_subjects();
+
+/// Those that do not, of both precisions.
+[[nodiscard]] const std::vector<Inapplicable>& inapplicable_subjects();
+
+/// The values of a variant's factors, by the names of records: division, reciprocal, order, edges, early_out,
+/// output, data.
+struct FactorName {
+  std::string_view factor, value;
+};
+[[nodiscard]] std::vector<FactorName> factor_names(const Variant& variant);
+
+}  // namespace raysweep

@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include "results/tables/accuracy_tables.h"
+#include "results/tables/write_file.h"
+
+namespace raysweep {
+
+std::string accuracy_tables_as_text(const AccuracyData& data) {
+  std::string text = fmt::format("{}: {}; {} rays in each cell, {} cells\n", data.experiment, data.title,
+                                 data.rays, data.results.records().size());
+  const auto add = [&](const Table& table) { text.append("\n").append(to_text(table)); };
+  for (const NamedTable& named : where_failing_tables(data.results)) add(named.table);
+  for (const NamedTable& named : failure_tables(data.results)) add(named.table);
+  if (const auto variants = variant_table(data.results)) add(*variants);
+  if (!data.left_out.empty())
+    text += fmt::format("\n{} variants do not exist: tables/left-out.md says why of each.\n",
+                        data.left_out.size());
+  return text;
+}
+
+void write_accuracy_tables(const AccuracyData& data, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const std::string& name, const Table& table) {
+    write_file(folder / (name + ".md"), to_markdown(table));
+    write_file(folder / (name + ".csv"), to_csv(table));
+  };
+  for (const auto tables : {where_failing_tables, failure_tables, case_tables}) {
+    for (const NamedTable& named : tables(data.results)) write(named.name, named.table);
+  }
+  if (const auto table = variant_table(data.results)) write("variants", *table);
+  if (const auto table = differing_cells_table(data.results)) write("variant-cells", *table);
+  if (const auto table = left_out_table(data.left_out)) write("left-out", *table);
+  write_file(folder / "cells.csv", to_csv(accuracy_data(data.results)));
+}
+
+}  // namespace raysweep
