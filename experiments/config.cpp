@@ -24,13 +24,10 @@ class Parser : public TomlReader {
 
   void read(const toml::table& root) {
     check_keys(root, "", {"experiment", "title", "kind", "scene", "sweep", "measure"});
-    config_.experiment = text_or(root, "experiment", "");
-    if (config_.experiment.empty() || config_.experiment.find('/') != std::string::npos) {
-      fail(root, "experiment must be a name, such as \"M11-T3\"; it names the folder of the run");
-    }
+    config_.experiment = experiment_name(root);
     config_.title = text_or(root, "title", config_.experiment);
     if (const std::string kind = text_or(root, "kind", "picture"); kind != "picture") {
-      fail(root["kind"], fmt::format("unknown kind \"{}\"; built here: picture", kind));
+      fail(root["kind"], fmt::format("unknown kind \"{}\"; built here: picture, accuracy", kind));
     }
     if (const auto* scene = section(root, "scene")) read_scene(*scene);
     if (const auto* sweep = section(root, "sweep")) read_sweep(*sweep);
@@ -76,7 +73,7 @@ class Parser : public TomlReader {
       } else if (key == "placement") {
         read_placement(sweep, node);
       } else {
-        Axis axis{{std::string(key.str())}, {}};
+        SweepAxis axis{{std::string(key.str())}, {}};
         for (std::string& value : factor_values(key.str(), node)) axis.points.push_back({std::move(value)});
         if (!axis.points.empty()) config_.axes.push_back(std::move(axis));
       }
@@ -102,7 +99,7 @@ class Parser : public TomlReader {
       return;
     }
     const HyperThreadingPlacements& p = *machine_.hyper_threading;
-    Axis axis{{"threads", "pin"}, {}};
+    SweepAxis axis{{"threads", "pin"}, {}};
     for (const std::vector<int>* placed : {&p.one_each, &p.two_each, &p.packed}) {
       if (!placed->empty()) axis.points.push_back({std::to_string(placed->size()), processor_list(*placed)});
     }
@@ -110,7 +107,7 @@ class Parser : public TomlReader {
   }
 
   void read_zip(const toml::table& zip) {
-    Axis axis;
+    SweepAxis axis;
     for (const auto& [key, node] : zip) {
       const auto values = factor_values(key.str(), node);
       if (axis.names.empty()) axis.points.resize(values.size());
@@ -122,7 +119,7 @@ class Parser : public TomlReader {
       axis.names.emplace_back(key.str());
       for (size_t i = 0; i < values.size(); ++i) axis.points[i].push_back(values[i]);
     }
-    for (const Axis& other : config_.axes) {
+    for (const SweepAxis& other : config_.axes) {
       for (const std::string& name : other.names) {
         const toml::node* const twice = zip.get(name);
         if (twice)
@@ -218,26 +215,21 @@ Config parse_config(const std::string& text, const std::string& file,
   config.file = file;
   config.text = text;
   const toml::table root = read_toml(text, file, overrides);
-  if (!overrides.empty()) {
-    std::ostringstream merged;
-    merged << root << "\n";
-    config.text = merged.str();
-  }
+  if (!overrides.empty()) config.text = to_text(root);
   Parser parser(config, machine);
   parser.read(root);
-  if (!parser.errors().empty()) throw RequestError(parser.errors().substr(0, parser.errors().size() - 1));
+  parser.refuse_errors();
   return config;
 }
 
-Config load_config(const std::string& file, const std::vector<std::string>& overrides,
-                   const MachineSize& machine) {
+std::string read_config_text(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!std::filesystem::is_regular_file(file) || !in || !(text << in.rdbuf())) {
     throw RequestError(fmt::format(
         "{}: no such experiment: name a TOML file; `raysweep list experiments` shows those here", file));
   }
-  return parse_config(text.str(), file, overrides, machine);
+  return text.str();
 }
 
 }  // namespace raysweep

@@ -13,7 +13,7 @@
 namespace raysweep {
 
 /// Factors that advance together (one, unless zipped), and their values, as text.
-struct Axis {
+struct SweepAxis {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> points;  // each as long as `names`
 };
@@ -34,7 +34,7 @@ struct Config {
   std::string experiment, title;
   std::string scene = "chair-ball";
   std::vector<std::string> modes;  // empty: the default settings
-  std::vector<Axis> axes;
+  std::vector<SweepAxis> axes;
   Measure measure;
   std::string not_here;  // why this machine cannot answer the question, as a sentence; empty if it can
 };
@@ -51,9 +51,8 @@ struct MachineSize {
 [[nodiscard]] Config parse_config(const std::string& text, const std::string& file,
                                   const std::vector<std::string>& overrides, const MachineSize& machine);
 
-/// Reads the file and parses it.
-[[nodiscard]] Config load_config(const std::string& file, const std::vector<std::string>& overrides,
-                                 const MachineSize& machine);
+/// The text of a config's file. Throws RequestError where there is none.
+[[nodiscard]] std::string read_config_text(const std::string& file);
 
 /// "1..4", "cores", "pus", "1..2*pus" or "8" as a list of numbers; empty if it is none of these or descends.
 /// What refers to the machine never exceeds the largest thread count.

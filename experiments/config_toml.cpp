@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "experiments/cell_factors.h"
 #include "experiments/errors.h"
 
@@ -55,6 +57,12 @@ toml::table read_toml(const std::string& text, const std::string& file,
   toml::table root = parse_toml(text, file);
   for (const std::string& assignment : overrides) merge(root, parse_override(assignment));
   return root;
+}
+
+std::string to_text(const toml::table& root) {
+  std::ostringstream text;
+  text << root << "\n";
+  return text.str();
 }
 
 }  // namespace raysweep

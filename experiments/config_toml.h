@@ -14,4 +14,7 @@ namespace raysweep {
 [[nodiscard]] toml::table read_toml(const std::string& text, const std::string& file,
                                     const std::vector<std::string>& overrides);
 
+/// The document with what was changed in it.
+[[nodiscard]] std::string to_text(const toml::table& root);
+
 }  // namespace raysweep

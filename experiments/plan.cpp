@@ -92,7 +92,7 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
     base.scene = config.scene;
     if (!mode.empty()) set_mode(base, mode);
     std::vector<Cell> cells{base};
-    for (const Axis& axis : config.axes) {
+    for (const SweepAxis& axis : config.axes) {
       std::vector<Cell> extended;
       for (const Cell& cell : cells) {
         for (const auto& point : axis.points) {

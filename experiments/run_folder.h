@@ -1,30 +1,23 @@
-// The folder of a run: who may write into it, and how nothing in it is ever lost or half there.
+// The folder of a run of pictures.
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "experiments/config.h"
-#include "experiments/file_descriptor.h"
-#include "experiments/machine/machine.h"
 #include "experiments/plan.h"
+#include "experiments/run_files.h"
 #include "results/record.h"
 
 namespace raysweep {
 
 class RunFolder {
  public:
-  /// Makes `path` and locks it until this object is gone or the process has died, however. Writes
-  /// config.toml, plan.json and machine.json. With `resume` an earlier run of the same config and seed is
-  /// taken up; without it the folder must hold none. Throws RequestError: not writable, in use, holds a run,
-  /// holds another run.
+  /// As RunFiles. Throws RequestError, too, for records that cannot be read.
   RunFolder(std::filesystem::path path, const Config& config, const Plan& plan, const Machine& machine,
             bool resume);
-  RunFolder(const RunFolder&) = delete;
-  RunFolder& operator=(const RunFolder&) = delete;
 
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return files_.path(); }
   [[nodiscard]] const std::vector<Record>& records() const { return records_; }
 
   /// Writes one line to records.jsonl and waits until it is on disk. A line that does not fit is taken back
@@ -32,12 +25,8 @@ class RunFolder {
   void append(const Record& record);
 
  private:
-  void lock();
-  void take_up(const Config& config, const Plan& plan, const Machine& machine, bool resume);
-
-  std::filesystem::path path_;
+  RunFiles files_;
   std::vector<Record> records_;
-  FileDescriptor lock_, file_;
 };
 
 }  // namespace raysweep

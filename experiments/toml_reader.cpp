@@ -5,12 +5,24 @@
 #include <algorithm>
 
 #include "experiments/config.h"
+#include "experiments/errors.h"
 
 namespace raysweep {
 
 void TomlReader::fail(const toml::node& at, const std::string& sentence) {
   const toml::source_region& source = at.source();
   errors_ += fmt::format("{}:{}: {}\n", source.path ? *source.path : file_, source.begin.line, sentence);
+}
+
+void TomlReader::refuse_errors() const {
+  if (!errors_.empty()) throw RequestError(errors_.substr(0, errors_.size() - 1));
+}
+
+std::string TomlReader::experiment_name(const toml::table& root) {
+  std::string name = text_or(root, "experiment", "");
+  if (name.empty() || name.find('/') != std::string::npos)
+    fail(root, "experiment must be a name, such as \"M11-T3\"; it names the folder of the run");
+  return name;
 }
 
 void TomlReader::check_keys(const toml::table& table, const std::string& where,

@@ -18,10 +18,14 @@ class TomlReader {
   void fail(toml::node_view<const toml::node> at, const std::string& sentence) { fail(*at.node(), sentence); }
   /// One line each, with file and line.
   [[nodiscard]] const std::string& errors() const { return errors_; }
+  /// Throws RequestError with all of them, if there are any.
+  void refuse_errors() const;
 
   /// `where` is the table's name with its dot.
   void check_keys(const toml::table& table, const std::string& where,
                   const std::vector<std::string_view>& known);
+  /// What `experiment` says, which names the folder of the run.
+  std::string experiment_name(const toml::table& root);
   /// Null if there is none.
   const toml::table* section(const toml::table& root, std::string_view name);
   std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "experiments/intersection/case.h"
 #include "experiments/item.h"
 #include "experiments/verbs.h"
 #include "schedulers/placement.h"
@@ -100,6 +101,18 @@ nlohmann::json list_isas() {
   return list;
 }
 
+nlohmann::json list_cases() {
+  nlohmann::json list;
+  for (const Case& one : all_cases()) {
+    list.push_back(entry(one.id, fmt::format("{} ({})", one.title, one.source)));
+    list.back()["title"] = one.title;
+    list.back()["source"] = one.source;
+    list.back()["difficulty"] = one.difficulty;
+    list.back()["difficulties"] = one.difficulties;
+  }
+  return list;
+}
+
 nlohmann::json list_of(const std::string& what) {
   if (what == "schedulers") return list_schedulers();
   if (what == "runtimes") return list_runtimes();
@@ -113,6 +126,7 @@ nlohmann::json list_of(const std::string& what) {
   if (what == "pins") return list_named(pin_policies());
   if (what == "orders") return list_named(item_orders());
   if (what == "isas") return list_isas();
+  if (what == "cases") return list_cases();
   return list_experiments();
 }
 
@@ -144,7 +158,7 @@ void add_list(CommandLine& line) {
   verb.add_option("what", what, "what to list")
       .required()
       .one_of({"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores", "accels",
-               "precisions", "pins", "orders", "isas", "experiments"});
+               "precisions", "pins", "orders", "isas", "cases", "experiments"});
   verb.callback([&line] { line.action = [&line] { return run(what, line.json); }; });
 }
 

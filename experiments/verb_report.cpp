@@ -2,8 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/accuracy_verb.h"
 #include "experiments/errors.h"
 #include "experiments/verbs.h"
+#include "results/accuracy_results.h"
 #include "results/run_data.h"
 
 namespace raysweep {
@@ -13,6 +15,10 @@ namespace {
 int run(const std::vector<std::string>& folders, bool as_json) {
   auto json = nlohmann::json::array();
   for (const std::string& folder : folders) {
+    if (run_kind(folder) == "accuracy") {
+      report_accuracy(folder, as_json ? &json : nullptr);
+      continue;
+    }
     const RunData data = read_run(folder);
     json.push_back({{"folder", folder}, {"rows", rows_as_json(data.rows, data.context.floor)}});
     if (!as_json) fmt::print("{}\n", tables_as_text(data.rows, data.context));

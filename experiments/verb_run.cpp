@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "experiments/accuracy_verb.h"
 #include "experiments/clock.h"
 #include "experiments/errors.h"
 #include "experiments/estimate.h"
@@ -27,17 +28,40 @@ struct RunOptions {
   bool resume = false, dry_run = false;
 };
 
-std::filesystem::path default_folder(const Config& config) {
-  const std::time_t now = std::time(nullptr);
-  return std::filesystem::path("results/runs") /
-         fmt::format("{}-{:%Y%m%d-%H%M%S}", config.experiment, *std::localtime(&now));
+/// What the files ask for, by kind.
+struct Configs {
+  std::vector<Config> pictures;
+  std::vector<AccuracyConfig> accuracy;
+};
+
+/// Where the run of an experiment goes.
+std::filesystem::path folder_of(const std::string& experiment, const RunOptions& options) {
+  if (options.out.empty()) {
+    const std::time_t now = std::time(nullptr);
+    return std::filesystem::path("results/runs") /
+           fmt::format("{}-{:%Y%m%d-%H%M%S}", experiment, *std::localtime(&now));
+  }
+  // By what was asked for: an experiment that this machine cannot answer must not move the others.
+  const std::filesystem::path out(options.out);
+  return options.configs.size() > 1 ? out / experiment : out;
 }
 
-Config read_config(const std::string& file, const RunOptions& options, const Machine& machine) {
-  Config config = load_config(file, options.overrides, machine.size());
+void read_config(Configs& configs, const std::string& file, const RunOptions& options,
+                 const Machine& machine) {
+  const std::string text = read_config_text(file);
+  if (is_accuracy(text, file, options.overrides)) {
+    AccuracyConfig config = parse_accuracy_config(text, file, options.overrides);
+    if (options.budget_minutes)
+      throw RequestError(fmt::format(
+          "{}: --budget is for pictures; every cell of an accuracy experiment is run once", file));
+    if (options.seed) config.settings.seed = *options.seed;
+    configs.accuracy.push_back(std::move(config));
+    return;
+  }
+  Config config = parse_config(text, file, options.overrides, machine.size());
   if (options.budget_minutes) config.measure.budget_seconds = *options.budget_minutes * 60;
   if (options.seed) config.measure.seed = *options.seed;
-  return config;
+  configs.pictures.push_back(std::move(config));
 }
 
 void print_plan(const Config& config, const Plan& plan) {
@@ -123,32 +147,38 @@ int run_all(const std::vector<Experiment>& experiments, const Machine& machine, 
   return failure.empty() ? worst : exit_failed;
 }
 
-std::vector<Config> read_configs(const RunOptions& options, const Machine& machine) {
-  std::vector<Config> configs;
+void refuse_same_names(const Configs& configs) {
+  std::set<std::string> names;
+  const auto add = [&](const std::string& experiment, const std::string& file) {
+    if (names.insert(experiment).second) return;
+    throw RequestError(fmt::format("{}: experiment \"{}\" is there twice; each needs a folder of its own",
+                                   file, experiment));
+  };
+  for (const Config& config : configs.pictures) add(config.experiment, config.file);
+  for (const AccuracyConfig& config : configs.accuracy) add(config.settings.experiment, config.file);
+}
+
+Configs read_configs(const RunOptions& options, const Machine& machine) {
+  Configs configs;
   std::string errors;
   for (const std::string& file : options.configs) {
     try {
-      configs.push_back(read_config(file, options, machine));
+      read_config(configs, file, options, machine);
     } catch (const RequestError& error) {
       errors.append(errors.empty() ? "" : "\n").append(error.what());
     }
   }
   if (!errors.empty()) throw RequestError(errors);
-  for (const Config& config : configs) {
+  for (const Config& config : configs.pictures) {
+    const Config& first = configs.pictures.front();
     // What several have is launched once for all, at one place in a round.
-    if (config.measure.seed == configs.front().measure.seed) continue;
+    if (config.measure.seed == first.measure.seed) continue;
     throw RequestError(
         fmt::format("{}: its seed is {}, that of {} is {}; experiments that run together need one: "
                     "give it by --seed",
-                    config.file, config.measure.seed, configs.front().file, configs.front().measure.seed));
+                    config.file, config.measure.seed, first.file, first.measure.seed));
   }
-  std::set<std::string> names;
-  for (const Config& config : configs) {
-    if (!names.insert(config.experiment).second) {
-      throw RequestError(fmt::format("{}: experiment \"{}\" is there twice; each needs a folder of its own",
-                                     config.file, config.experiment));
-    }
-  }
+  refuse_same_names(configs);
   return configs;
 }
 
@@ -161,11 +191,8 @@ std::vector<Experiment> prepare(std::vector<Config> configs, const RunOptions& o
     list.push_back({std::move(config), std::move(plan), nullptr});
   }
   for (Experiment& p : list) {
-    std::filesystem::path out =
-        options.out.empty() ? default_folder(p.config) : std::filesystem::path(options.out);
-    // By what was asked for: an experiment that this machine cannot answer must not move the others.
-    if (!options.out.empty() && options.configs.size() > 1) out /= p.config.experiment;
-    p.folder = std::make_unique<RunFolder>(out, p.config, p.plan, machine, options.resume);
+    p.folder = std::make_unique<RunFolder>(folder_of(p.config.experiment, options), p.config, p.plan, machine,
+                                           options.resume);
   }
   return list;
 }
@@ -200,27 +227,39 @@ void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohman
              minutes(estimate.all_rounds), minutes(budget));
 }
 
-int run(const RunOptions& options, bool as_json) {
-  if (options.resume && options.out.empty())
-    throw RequestError("--resume goes on with the run in --out: name its folder");
-  const Machine machine = detect_machine();
-  std::vector<Config> configs = read_configs(options, machine);
-  nlohmann::json json = nlohmann::json::array();
+void drop_unanswerable(std::vector<Config>& configs, nlohmann::json& json, bool as_json) {
   std::erase_if(configs, [&](const Config& config) {
     if (config.not_here.empty()) return false;
     json.push_back({{"experiment", config.experiment}, {"not_run", config.not_here}});
     if (!as_json) fmt::print("{}: not run: {}.\n", config.experiment, config.not_here);
     return true;
   });
+}
+
+int run(const RunOptions& options, bool as_json) {
+  if (options.resume && options.out.empty())
+    throw RequestError("--resume goes on with the run in --out: name its folder");
+  const Machine machine = detect_machine();
+  Configs configs = read_configs(options, machine);
+  nlohmann::json list = nlohmann::json::array();
+  nlohmann::json* const json = as_json ? &list : nullptr;
+  drop_unanswerable(configs.pictures, list, as_json);
+  int code = exit_done;
   if (options.dry_run) {
-    dry_run(configs, machine, as_json ? &json : nullptr);
-    if (as_json) fmt::print("{}\n", json.dump(1));
-    return exit_done;
+    dry_run(configs.pictures, machine, json);
+    for (const AccuracyConfig& config : configs.accuracy) dry_run_accuracy(config, json);
+  } else {
+    catch_interrupts();
+    const std::vector<Experiment> pictures = prepare(std::move(configs.pictures), options, machine);
+    std::vector<AccuracyExperiment> accuracy;
+    for (const AccuracyConfig& config : configs.accuracy)
+      accuracy.push_back(
+          open_accuracy(config, folder_of(config.settings.experiment, options), machine, options.resume));
+    if (!pictures.empty()) code = run_all(pictures, machine, json);
+    for (const AccuracyExperiment& experiment : accuracy)
+      code = std::max(code, run_and_tell(experiment, json));
   }
-  catch_interrupts();
-  const std::vector<Experiment> list = prepare(std::move(configs), options, machine);
-  const int code = run_all(list, machine, as_json ? &json : nullptr);
-  if (as_json) fmt::print("{}\n", json.dump(1));
+  if (as_json) fmt::print("{}\n", list.dump(1));
   return code;
 }
 

@@ -21,7 +21,7 @@ nlohmann::json json_of(const std::vector<std::string>& arguments) {
 
 TEST(list, names_everything_with_what_is_missing_and_why) {
   for (const char* what : {"schedulers", "runtimes", "scenes", "modes", "methods", "patterns", "cores",
-                           "accels", "precisions", "pins", "isas", "experiments"}) {
+                           "accels", "precisions", "pins", "isas", "cases", "experiments"}) {
     const auto list = json_of({"list", what, "--json"});
     ASSERT_FALSE(list.empty()) << what;
     for (const auto& entry : list) {

@@ -1,0 +1,171 @@
+#include "experiments/accuracy_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "experiments/config_toml.h"
+#include "experiments/toml_reader.h"
+
+namespace raysweep {
+
+namespace {
+
+constexpr int most_rays = 10'000'000;  // of one cell: with all that is known of them they take 4 GB
+
+std::vector<std::string_view> case_ids() {
+  std::vector<std::string_view> ids;
+  for (const Case& one : all_cases()) ids.push_back(one.id);
+  return ids;
+}
+
+class Parser : public TomlReader {
+ public:
+  explicit Parser(AccuracyConfig& config) : TomlReader(config.file), config_(config) {}
+
+  void read(const toml::table& root) {
+    check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
+    config_.settings.experiment = experiment_name(root);
+    config_.title = text_or(root, "title", config_.settings.experiment);
+    const toml::table none;
+    const toml::table* const sweep = section(root, "sweep");
+    read_sweep(sweep ? *sweep : none);
+    const toml::table* const measure = section(root, "measure");
+    read_measure(measure ? *measure : none);
+  }
+
+ private:
+  void read_sweep(const toml::table& sweep) {
+    check_keys(sweep, "sweep.", {"method", "precision", "case", "variant"});
+    config_.methods = names_or_all(sweep, "method", study_method_names());
+    config_.cases = names_or_all(sweep, "case", case_ids());
+    for (const std::string& name : names_or_all(sweep, "precision", {"float", "double"}))
+      config_.precisions.push_back(name == "float" ? Precision::float_precision
+                                                   : Precision::double_precision);
+    const std::string variant = text_or(sweep, "variant", "base");
+    config_.star = variant == "star";
+    if (variant != "base" && variant != "star")
+      fail(*sweep.get("variant"), fmt::format("unknown variant \"{}\"; possible: base, star", variant));
+  }
+
+  void read_measure(const toml::table& measure) {
+    check_keys(measure, "measure.", {"trials", "seed"});
+    config_.settings.ray_count = static_cast<size_t>(integer_or(measure, "trials", 10'000, 1, most_rays));
+    config_.settings.seed = static_cast<uint64_t>(integer_or(measure, "seed", 1, 0, 1 << 30));
+  }
+
+  /// A name or a list of them, each once; "all" are those known, and so it is without the key.
+  std::vector<std::string> names_or_all(const toml::table& sweep, std::string_view key,
+                                        const std::vector<std::string_view>& known) {
+    const std::vector<std::string> all(known.begin(), known.end());
+    const toml::node* const node = sweep.get(key);
+    if (!node) return all;
+    std::vector<std::string> names;
+    const auto add = [&](const toml::node& one) {
+      const auto name = one.value_exact<std::string>();
+      if (!name) {
+        fail(one, fmt::format("{} must be strings in quotes", key));
+      } else if (*name != "all" && std::find(all.begin(), all.end(), *name) == all.end()) {
+        fail(one, fmt::format("unknown {} \"{}\"; built here: {}, all", key, *name, fmt::join(known, ", ")));
+      } else {
+        for (const std::string& each : *name == "all" ? all : std::vector<std::string>{*name}) {
+          if (std::find(names.begin(), names.end(), each) == names.end()) names.push_back(each);
+        }
+      }
+    };
+    if (const toml::array* const list = node->as_array()) {
+      if (list->empty()) fail(*node, fmt::format("{} is an empty list; name one value at least", key));
+      for (const toml::node& one : *list) add(one);
+    } else {
+      add(*node);
+    }
+    return names;
+  }
+
+  AccuracyConfig& config_;
+};
+
+/// Indices of the subjects that are asked for, method by method as the config lists them.
+template <class T>
+std::vector<size_t> chosen_subjects(const AccuracyConfig& config) {
+  std::vector<size_t> chosen;
+  const auto& subjects = all_subjects<T>();
+  for (const std::string& method : config.methods) {
+    for (size_t i = 0; i < subjects.size(); ++i) {
+      if (subjects[i].method == method && (config.star || subjects[i].change == "base")) chosen.push_back(i);
+    }
+  }
+  return chosen;
+}
+
+}  // namespace
+
+bool is_accuracy(const std::string& text, const std::string& file,
+                 const std::vector<std::string>& overrides) {
+  return read_toml(text, file, overrides)["kind"].value<std::string>() == "accuracy";
+}
+
+AccuracyConfig parse_accuracy_config(const std::string& text, const std::string& file,
+                                     const std::vector<std::string>& overrides) {
+  AccuracyConfig config;
+  config.file = file;
+  config.text = text;
+  const toml::table root = read_toml(text, file, overrides);
+  if (!overrides.empty()) config.text = to_text(root);
+  Parser parser(config);
+  parser.read(root);
+  parser.refuse_errors();
+  return config;
+}
+
+size_t AccuracyPlan::cell_count() const {
+  size_t count = 0;
+  for (const AccuracyBatch& batch : batches) count += batch.subjects.size();
+  return count;
+}
+
+AccuracyPlan make_plan(const AccuracyConfig& config) {
+  AccuracyPlan plan{config.title, config.settings, {}, {}};
+  const auto of_floats = chosen_subjects<float>(config), of_doubles = chosen_subjects<double>(config);
+  for (const std::string& id : config.cases) {
+    const Case& one = case_of(id);
+    for (size_t level = 0; level < one.difficulties.size(); ++level) {
+      for (const Precision precision : config.precisions) {
+        plan.batches.push_back(
+            {&one, level, precision, precision == Precision::float_precision ? of_floats : of_doubles});
+      }
+    }
+  }
+  if (!config.star) return plan;
+  for (const Inapplicable& one : inapplicable_subjects()) {
+    const bool asked =
+        std::any_of(config.precisions.begin(), config.precisions.end(),
+                    [&](Precision precision) { return name_of(precision) == one.precision; }) &&
+        std::find(config.methods.begin(), config.methods.end(), one.method) != config.methods.end();
+    if (asked) plan.left_out.push_back(one);
+  }
+  return plan;
+}
+
+nlohmann::json to_json(const AccuracyPlan& plan) {
+  nlohmann::json json{{"experiment", plan.settings.experiment},
+                      {"title", plan.title},
+                      {"kind", "accuracy"},
+                      {"seed", plan.settings.seed},
+                      {"trials", plan.settings.ray_count},
+                      {"cells", nlohmann::json::array()},
+                      {"left_out", nlohmann::json::array()}};
+  for (const AccuracyBatch& batch : plan.batches) {
+    for (const size_t subject : batch.subjects) json["cells"].push_back(cell_key(batch, subject));
+  }
+  for (const Inapplicable& one : plan.left_out) {
+    json["left_out"].push_back({{"method", one.method},
+                                {"change", one.change},
+                                {"precision", one.precision},
+                                {"reason", one.reason}});
+  }
+  return json;
+}
+
+}  // namespace raysweep

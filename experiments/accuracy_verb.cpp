@@ -1,0 +1,84 @@
+#include "experiments/accuracy_verb.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/errors.h"
+#include "results/tables/accuracy_tables.h"
+#include "results/tables/tables.h"
+
+namespace raysweep {
+
+namespace {
+
+nlohmann::json describe(const std::filesystem::path& folder, const AccuracyData& data) {
+  return {{"folder", folder.string()}, {"rows", rows_as_json(accuracy_data(data.results))}};
+}
+
+/// Progress and reasons, on standard error. The exit code.
+int tell_end(const AccuracyExperiment& experiment, const AccuracyReport& report) {
+  const std::string& name = experiment.plan.settings.experiment;
+  if (!report.failure.empty()) {
+    fmt::print(stderr, "raysweep: {}\n", report.failure);
+    return exit_failed;
+  }
+  if (!report.was_interrupted) return exit_done;
+  fmt::print(stderr, "{}: interrupted: {} of {} cells are finished and kept; go on with --resume --out {}.\n",
+             name, report.cells, experiment.plan.cell_count(), experiment.files->path().string());
+  return exit_interrupted;
+}
+
+std::string minutes(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
+}  // namespace
+
+int run_and_tell(const AccuracyExperiment& experiment, nlohmann::json* json) {
+  const auto& [plan, files] = experiment;
+  if (!json) {
+    fmt::print(stderr, "{}: {} cells of {} rays; records go to {}\n", plan.settings.experiment,
+               plan.cell_count(), plan.settings.ray_count, files->path().string());
+  }
+  const AccuracyReport report = run_accuracy(experiment, json != nullptr);
+  int code = tell_end(experiment, report);
+  const AccuracyData data = read_accuracy_run(files->path());
+  if (json) {
+    json->push_back(describe(files->path(), data));
+    json->back()["complete"] = report.cells == plan.cell_count();
+  } else {
+    fmt::print("{}\nRecords, machine and tables: {}\n", accuracy_tables_as_text(data),
+               files->path().string());
+  }
+  try {
+    write_accuracy_tables(data, files->path() / "tables");
+  } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
+    fmt::print(stderr, "raysweep: {}\n", error.what());
+    code = std::max(code, exit_failed);
+  }
+  return code;
+}
+
+void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json) {
+  const AccuracyPlan plan = make_plan(config);
+  if (json) {
+    json->push_back(to_json(plan));
+    json->back()["estimate_seconds"] = estimate_seconds(plan);
+    return;
+  }
+  fmt::print("{}", plan_as_text(plan));
+  fmt::print("About {}.\n", minutes(estimate_seconds(plan)));
+}
+
+void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json) {
+  const AccuracyData data = read_accuracy_run(folder);
+  if (json) {
+    json->push_back(describe(folder, data));
+  } else {
+    fmt::print("{}\n", accuracy_tables_as_text(data));
+  }
+  write_accuracy_tables(data, folder / "tables");
+}
+
+}  // namespace raysweep
