@@ -78,7 +78,7 @@ AccuracyReport run_accuracy(const AccuracyExperiment& experiment, bool quiet) {
 }
 
 double estimate_seconds(const AccuracyPlan& plan) {
-  constexpr size_t sample = 64;  // rays: a whole star of them takes some milliseconds a batch
+  constexpr size_t few = 64, many = 512;  // rays: of a whole star they take a second or two
   const auto time_of = [&](size_t ray_count) {
     AccuracySettings settings = plan.settings;
     settings.ray_count = ray_count;
@@ -87,10 +87,11 @@ double estimate_seconds(const AccuracyPlan& plan) {
       (void)run_batch(plan.batches[i], settings, interrupted);
     return 4 * (now_seconds() - start);
   };
+  (void)time_of(few);  // what is made once
   // A mesh takes its time whatever the number of rays: two samples tell that apart.
-  const double few = time_of(sample), more = time_of(2 * sample);
-  const double by_ray = std::max(0.0, more - few) / sample;
-  const double rest = std::max(0.0, few - by_ray * sample);
+  const double of_few = time_of(few), of_many = time_of(many);
+  const double by_ray = std::max(0.0, of_many - of_few) / (many - few);
+  const double rest = std::max(0.0, of_few - by_ray * few);
   return rest + by_ray * static_cast<double>(plan.settings.ray_count);
 }
 

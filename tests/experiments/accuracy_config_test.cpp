@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "experiments/accuracy_run.h"
 #include "experiments/errors.h"
 
 namespace raysweep {
@@ -101,12 +100,6 @@ TEST(accuracy_plan, has_every_cell_once_and_names_what_there_is_not) {
 
 TEST(accuracy_plan, of_base_variants_leaves_nothing_out) {
   EXPECT_TRUE(make_plan(parse(head)).left_out.empty());
-}
-
-TEST(accuracy_plan, tells_how_long_it_takes_by_the_rays) {
-  const std::string sweep = "[sweep]\nmethod = \"wald\"\ncase = \"W1\"\n[measure]\ntrials = ";
-  EXPECT_LT(estimate_seconds(make_plan(parse(head + sweep + "100\n"))),
-            estimate_seconds(make_plan(parse(head + sweep + "10000000\n"))));
 }
 
 }  // namespace

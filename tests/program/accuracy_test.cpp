@@ -170,10 +170,10 @@ TEST_F(AccuracyRun, runs_beside_pictures_each_in_a_folder_of_its_own) {
 
 TEST(list_cases, tells_title_source_and_difficulties_of_each) {
   const auto cases = nlohmann::json::parse(run_program({"list", "cases", "--json"}).out);
-  ASSERT_EQ(cases[0]["name"], "W1");
-  EXPECT_EQ(cases[0]["title"], "shared edge of a closed mesh");
-  EXPECT_EQ(cases[0]["source"], "Woop, Benthin & Wald 2013");
-  EXPECT_EQ(cases[0]["difficulties"].size(), 5u);
+  ASSERT_EQ(cases[0].at("name"), "W1");
+  EXPECT_EQ(cases[0].at("title"), "shared edge of a closed mesh");
+  EXPECT_EQ(cases[0].at("source"), "Woop, Benthin & Wald 2013");
+  EXPECT_EQ(cases[0].at("difficulties").size(), 5u);
 }
 
 }  // namespace
