@@ -58,7 +58,7 @@ class Parser : public TomlReader {
   /// A name or a list of them, each once; "all" are those known, and so it is without the key.
   std::vector<std::string> names_or_all(const toml::table& sweep, std::string_view key,
                                         const std::vector<std::string_view>& known) {
-    const std::vector<std::string> all(known.begin(), known.end());
+    std::vector<std::string> all(known.begin(), known.end());
     const toml::node* const node = sweep.get(key);
     if (!node) return all;
     std::vector<std::string> names;
