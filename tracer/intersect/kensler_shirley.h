@@ -5,6 +5,8 @@
 
 namespace raysweep {
 
+/// Morozov's formula (10) is this with other signs, answer for answer: where their times differ, the compiler
+/// does.
 struct KenslerShirley {
   static constexpr std::string_view name = "kensler_shirley";
   static constexpr std::string_view summary =

@@ -96,5 +96,23 @@ TYPED_TEST(Formulas, woops_formula_finds_what_the_tracers_form_finds_away_from_e
   EXPECT_GT(hits, 10'000);
 }
 
+/// Both edges and the normal have the other sign, which no rounding sees; a weight of 0 may be −0.
+TYPED_TEST(Formulas, of_morozov_and_of_kensler_and_shirley_are_one) {
+  LatticeRandom random(6);
+  int hits = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const AnyPair<TypeParam> pair = any_pair<TypeParam>(random);
+    const auto morozov = this->template by_formula<Morozov>(pair.ray, pair.triangle);
+    const auto kensler = this->template by_formula<KenslerShirley>(pair.ray, pair.triangle);
+    ASSERT_EQ(morozov.has_value(), kensler.has_value());
+    if (!morozov) continue;
+    hits++;
+    ASSERT_EQ(morozov->t, kensler->t);
+    ASSERT_EQ(morozov->beta, kensler->beta);
+    ASSERT_EQ(morozov->gamma, kensler->gamma);
+  }
+  EXPECT_GT(hits, 5'000);
+}
+
 }  // namespace
 }  // namespace raysweep
