@@ -27,15 +27,6 @@ Hits<T> find_hits(const Trials<T>& trials) {
   });
 }
 
-std::string change_of(const Variant& base, const Variant& variant) {
-  const auto before = factor_names(base), after = factor_names(variant);
-  for (size_t i = 0; i < before.size(); ++i) {
-    if (before[i].value != after[i].value)
-      return std::string(after[i].factor) + "=" + std::string(after[i].value);
-  }
-  return "base";
-}
-
 template <class T>
 struct Lists {
   std::vector<Subject<T>> subjects;
@@ -94,6 +85,15 @@ const std::vector<Inapplicable>& inapplicable_subjects() {
     return list;
   }();
   return all;
+}
+
+std::string change_of(const Variant& base, const Variant& variant) {
+  const auto before = factor_names(base), after = factor_names(variant);
+  for (size_t i = 0; i < before.size(); ++i) {
+    if (before[i].value != after[i].value)
+      return std::string(after[i].factor) + "=" + std::string(after[i].value);
+  }
+  return "base";
 }
 
 std::vector<FactorName> factor_names(const Variant& v) {

@@ -43,4 +43,7 @@ struct FactorName {
 };
 [[nodiscard]] std::vector<FactorName> factor_names(const Variant& variant);
 
+/// What differs from `base`, in one factor: "division=late"; "base" where nothing does.
+[[nodiscard]] std::string change_of(const Variant& base, const Variant& variant);
+
 }  // namespace raysweep
