@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "experiments/intersection/compiler_name.h"
+#include "experiments/intersection/kernel_modules.h"
+#include "experiments/intersection/scalar_pass.h"
 #include "experiments/intersection/subjects.h"
 #include "tracer/intersect/study.h"
 
@@ -9,71 +14,64 @@ namespace raysweep {
 
 namespace {
 
-#if defined(__clang__)
-constexpr std::string_view own_compiler = "clang " __clang_version__;
-#else
-constexpr std::string_view own_compiler = "gcc " __VERSION__;
-#endif
-
-/// One ray with one triangle at a time, triangles as an array of structures.
-template <class Method, Variant variant, class T>
-class ScalarPass : public KernelPass {
- public:
-  explicit ScalarPass(const Work<T>& work) : work_(work) {
-    constants_.reserve(work.triangles.size());
-    for (const Triangle<T>& triangle : work.triangles) {
-      if constexpr (variant.data == Data::bare) {
-        constants_.push_back(triangle);
-      } else {
-        constants_.push_back(Method::prepare(triangle));
-      }
-    }
-  }
-
-  [[nodiscard]] PassResult run() override {
-    PassResult result;
-    for (const Visit<T>& visit : work_.visits) {
-      for (uint32_t r = 0; r < work_.rays_a_visit; ++r)
-        run_ray(work_.rays[visit.first_ray + r], visit, result);
-    }
-    return result;
-  }
-
- private:
-  void run_ray(const Ray<T>& ray, const Visit<T>& visit, PassResult& result) const {
-    const auto* const first = constants_.data() + visit.first_triangle;
-    for (uint32_t i = 0; i < visit.triangle_count; ++i) {
-      const Solution<T> found = solve_lanes<Method, variant, T>(ray, first[i], visit.t_max);
-      if (!found.accepted) continue;
-      ++result.hits;
-      if constexpr (variant.output != Output::hit) result.sum += static_cast<double>(found.t);
-      if constexpr (variant.output == Output::weights)
-        result.sum += static_cast<double>(found.beta) + static_cast<double>(found.gamma);
-    }
-  }
-
-  const Work<T>& work_;
-  std::vector<TriangleFor<Method, variant, T>> constants_;
-};
-
 template <class Method, Variant variant, class T>
 std::unique_ptr<KernelPass> prepare_scalar(const Work<T>& work) {
   return std::make_unique<ScalarPass<Method, variant, T>>(work);
 }
 
+/// The program's own.
 template <class T>
-std::vector<Kernel<T>> list_kernels() {
+std::vector<Kernel<T>> own_kernels() {
   std::vector<Kernel<T>> kernels;
   for_each_study_method([&]<class Method>(Method) {
     for_each_variant<Method, T>([&]<Variant variant>() {
       kernels.push_back({.method = Method::name,
                          .change = change_of(base_variant<Method>(), variant),
                          .variant = variant,
-                         .compiler = own_compiler,
-                         .isa = "scalar",
+                         .compiler = compiler_name,
+                         .isa = "baseline",
                          .bytes = sizeof(TriangleFor<Method, variant, T>),
                          .prepare = prepare_scalar<Method, variant, T>});
     });
+  });
+  return kernels;
+}
+
+/// Kernels of a module say of themselves how many rays and triangles they take; what the module is about is
+/// added here. Lanes of the best instruction set are the usual ones, so that it is no change.
+std::string full_change(const std::string& shape, const std::string& about, bool is_usual) {
+  if (is_usual && !shape.empty()) return shape;
+  return shape.empty() ? about : shape + "," + about;
+}
+
+template <class T>
+const std::vector<Kernel<T>>& kernels_in(const KernelModule& module) {
+  if constexpr (std::is_same_v<T, float>) {
+    return *module.of_float;
+  } else {
+    return *module.of_double;
+  }
+}
+
+template <class T>
+void add_module(std::vector<Kernel<T>>& kernels, std::string_view name) {
+  if (!why_no_kernels(name).empty()) return;
+  const std::string about = name == "contracted"       ? "contraction=on"
+                            : name == "other_compiler" ? "compiler=other"
+                                                       : fmt::format("isa={}", name);
+  for (Kernel<T> kernel : kernels_in<T>(load_kernels(name))) {
+    kernel.change = full_change(kernel.change, about, name == best_lanes());
+    kernels.push_back(std::move(kernel));
+  }
+}
+
+template <class T>
+std::vector<Kernel<T>> list_kernels() {
+  std::vector<Kernel<T>> kernels = own_kernels<T>();
+  for (const KernelModuleInfo& module : all_kernel_modules()) add_module(kernels, module.name);
+  const auto& names = study_method_names();
+  std::ranges::stable_sort(kernels, {}, [&](const Kernel<T>& kernel) {
+    return std::ranges::find(names, kernel.method) - names.begin();
   });
   return kernels;
 }

@@ -44,11 +44,19 @@ struct Work {
 };
 
 /// What one pass found: so that no compiler leaves tests out, and that kernels can be compared. `hits` is the
-/// same for all variants of a method in the same precision that compare the same numbers; `sum` adds up, in
-/// some order, what hits were asked for: t, β and γ.
+/// same for all variants of a method in the same precision that compare the same numbers; `sum` adds up what
+/// hits were asked for, t, β and γ, in some order and in the kernel's precision.
 struct PassResult {
   uint64_t hits = 0;
   double sum = 0;
+};
+
+/// Of one test; NaN stands for what is not given. Numbers of float kernels are those of float.
+struct Answer {
+  bool hit = false;
+  double t = nothing, beta = nothing, gamma = nothing;
+
+  static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A kernel with its constants computed and its data laid out. `Work` must outlive it.
@@ -60,7 +68,17 @@ class KernelPass {
   KernelPass& operator=(const KernelPass&) = delete;
 
   /// All visits once: what is timed.
-  [[nodiscard]] virtual PassResult run() = 0;
+  [[nodiscard]] PassResult run() { return run(nullptr); }
+  /// The same, with what each test says: for each visit, of each of its rays, its triangles in turn.
+  [[nodiscard]] std::vector<Answer> answers(const auto& work) {
+    std::vector<Answer> all(work.test_count());
+    (void)run(all.data());
+    return all;
+  }
+
+ private:
+  /// Hits are written to `answers` unless it is null.
+  [[nodiscard]] virtual PassResult run(Answer* answers) = 0;
 };
 
 /// A method in one variant and shape over numbers of type `T`, float or double.
@@ -80,7 +98,7 @@ struct Kernel {
 };
 
 /// Of each method its base kernel (one ray, one triangle, base variant), then those that differ from it in
-/// one factor, as far as they apply and this machine can run them.
+/// one factor, as far as they apply, modules have them and this machine can run them.
 template <class T>
 [[nodiscard]] const std::vector<Kernel<T>>& all_kernels();
 
