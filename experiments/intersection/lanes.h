@@ -88,7 +88,8 @@ class Lanes {
   }
   friend Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
   friend Mask operator>=(const Lanes& a, const Lanes& b) { return b <= a; }
-  friend Mask operator==(const Lanes& a, const Lanes& b) {
+  /// Not operator==, which vectors of lanes would then be thought to have, too.
+  friend Mask equal(const Lanes& a, const Lanes& b) {
     return mask([&](size_t i) { return hn::Eq(a.parts_[i], b.parts_[i]); });
   }
 
@@ -150,7 +151,7 @@ template <class T, int width>
 [[nodiscard]] Projected<Lanes<T, width, Axes::per_lane>> project(
     const Vec3<Lanes<T, width, Axes::per_lane>>& a, const LaneAxes<T, width>& axis) {
   using V = Lanes<T, width, Axes::per_lane>;
-  const auto is_x = axis.number == V(0), is_z = axis.number == V(2);
+  const auto is_x = equal(axis.number, V(0)), is_z = equal(axis.number, V(2));
   return {select(is_x, a.y, a.x), select(is_z, a.y, a.z), select(is_x, a.x, select(is_z, a.z, a.y))};
 }
 

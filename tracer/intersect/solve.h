@@ -152,7 +152,7 @@ template <Edges edges, class Test, class V>
 template <Variant variant, class V, class Test>
 [[nodiscard, gnu::always_inline]] inline Solution<V> decide(const Test& test) {
   const V unknown = not_given(V());
-  Solution<V> solution{V(0) == V(0), unknown, unknown, unknown};
+  Solution<V> solution{V(0) <= V(0), unknown, unknown, unknown};
   const auto ends_at = [&](const MaskOf<V>& claim) {
     solution.accepted = both(solution.accepted, claim);
     return variant.early_out == EarlyOut::yes && none(solution.accepted);
