@@ -19,6 +19,7 @@ struct Protocol {
   bool has_hit_rate;  // its parameter: what share of tests are hits, in steps of 1/`run_length`
   bool has_size;      // its parameter: as many rays, and as many triangles
   bool has_scene;
+  uint32_t rays_a_visit;
   Work<float> (*make)(double parameter, uint64_t seed);  // null for those of a scene: see replay.h
 };
 

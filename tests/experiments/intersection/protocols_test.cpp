@@ -143,7 +143,8 @@ TEST(protocols, are_shared_among_threads_whole) {
     uint32_t next = 0;
     for (uint32_t i = 0; i < count; ++i) {
       const Work<float> share = share_of(work, i, count);
-      EXPECT_NEAR(static_cast<double>(share.visits.size()), 256.0 / count, 1);
+      EXPECT_NEAR(static_cast<double>(share.visits.size()), static_cast<double>(work.visits.size()) / count,
+                  1);
       for (const Visit<float>& visit : share.visits) EXPECT_EQ(visit.first_ray, next++);
     }
     EXPECT_EQ(next, work.visits.size());
@@ -152,7 +153,7 @@ TEST(protocols, are_shared_among_threads_whole) {
 
 template <class T>
 void expect_known_hits_of_every_kernel(std::string_view protocol, double parameter) {
-  const Work<float> work = made(protocol, parameter);
+  const Work<float> work = share_of(made(protocol, parameter), 0, 4);  // slow methods take their time
   const KnownHits known = known_hits(work);
   const Work<T> as_tested = work_in<T>(work);
   for (const Kernel<T>& kernel : all_kernels<T>()) {

@@ -73,8 +73,7 @@ TEST_F(Replay, does_as_many_tests_as_the_tracer) {
 }
 
 TEST(replay, of_a_scene_depends_on_its_seed_by_bounced_rays) {
-  const Work<float> a = replay_work("grotto", 1), b = replay_work("grotto", 1),
-                    c = replay_work("grotto", 2);
+  const Work<float> a = replay_work("grotto", 1), b = replay_work("grotto", 1), c = replay_work("grotto", 2);
   EXPECT_EQ(a.test_count(), b.test_count());
   EXPECT_NE(a.test_count(), c.test_count());
   EXPECT_GT(a.rays.size(), 10'000u);
