@@ -4,6 +4,7 @@
 
 #include "experiments/accuracy_verb.h"
 #include "experiments/errors.h"
+#include "experiments/kernel_verb.h"
 #include "experiments/verbs.h"
 #include "results/accuracy_results.h"
 #include "results/run_data.h"
@@ -15,8 +16,9 @@ namespace {
 int run(const std::vector<std::string>& folders, bool as_json) {
   auto json = nlohmann::json::array();
   for (const std::string& folder : folders) {
-    if (run_kind(folder) == "accuracy") {
-      report_accuracy(folder, as_json ? &json : nullptr);
+    const std::string kind = run_kind(folder);
+    if (kind == "accuracy" || kind == "kernel") {
+      (kind == "accuracy" ? report_accuracy : report_kernels)(folder, as_json ? &json : nullptr);
       continue;
     }
     const RunData data = read_run(folder);

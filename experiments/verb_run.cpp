@@ -12,6 +12,7 @@
 #include "experiments/errors.h"
 #include "experiments/estimate.h"
 #include "experiments/interrupt.h"
+#include "experiments/kernel_verb.h"
 #include "experiments/runner.h"
 #include "experiments/verbs.h"
 #include "results/run_data.h"
@@ -32,6 +33,7 @@ struct RunOptions {
 struct Configs {
   std::vector<Config> pictures;
   std::vector<AccuracyConfig> accuracy;
+  std::vector<KernelConfig> kernels;
 };
 
 /// Where the run of an experiment goes.
@@ -56,6 +58,14 @@ void read_config(Configs& configs, const std::string& file, const RunOptions& op
           "{}: --budget is for pictures; every cell of an accuracy experiment is run once", file));
     if (options.seed) config.settings.seed = *options.seed;
     configs.accuracy.push_back(std::move(config));
+    return;
+  }
+  if (is_kernel(text, file, options.overrides)) {
+    const int processors = machine.topology.processors();
+    KernelConfig config = parse_kernel_config(text, file, options.overrides, processors);
+    if (options.budget_minutes) config.measure.budget_seconds = *options.budget_minutes * 60;
+    if (options.seed) config.measure.seed = *options.seed;
+    configs.kernels.push_back(std::move(config));
     return;
   }
   Config config = parse_config(text, file, options.overrides, machine.size());
@@ -156,6 +166,7 @@ void refuse_same_names(const Configs& configs) {
   };
   for (const Config& config : configs.pictures) add(config.experiment, config.file);
   for (const AccuracyConfig& config : configs.accuracy) add(config.settings.experiment, config.file);
+  for (const KernelConfig& config : configs.kernels) add(config.experiment, config.file);
 }
 
 Configs read_configs(const RunOptions& options, const Machine& machine) {
@@ -236,6 +247,23 @@ void drop_unanswerable(std::vector<Config>& configs, nlohmann::json& json, bool 
   });
 }
 
+/// All folders are made before anything runs. The exit code.
+int run_configs(Configs configs, const RunOptions& options, const Machine& machine, nlohmann::json* json) {
+  catch_interrupts();
+  const std::vector<Experiment> pictures = prepare(std::move(configs.pictures), options, machine);
+  std::vector<AccuracyExperiment> accuracy;
+  for (const AccuracyConfig& config : configs.accuracy)
+    accuracy.push_back(
+        open_accuracy(config, folder_of(config.settings.experiment, options), machine, options.resume));
+  std::vector<KernelExperiment> kernels;
+  for (const KernelConfig& config : configs.kernels)
+    kernels.push_back(open_kernels(config, folder_of(config.experiment, options), machine, options.resume));
+  int code = pictures.empty() ? exit_done : run_all(pictures, machine, json);
+  for (const AccuracyExperiment& experiment : accuracy) code = std::max(code, run_and_tell(experiment, json));
+  for (const KernelExperiment& experiment : kernels) code = std::max(code, run_and_tell(experiment, json));
+  return code;
+}
+
 int run(const RunOptions& options, bool as_json) {
   if (options.resume && options.out.empty())
     throw RequestError("--resume goes on with the run in --out: name its folder");
@@ -248,16 +276,9 @@ int run(const RunOptions& options, bool as_json) {
   if (options.dry_run) {
     dry_run(configs.pictures, machine, json);
     for (const AccuracyConfig& config : configs.accuracy) dry_run_accuracy(config, json);
+    for (const KernelConfig& config : configs.kernels) dry_run_kernels(config, json);
   } else {
-    catch_interrupts();
-    const std::vector<Experiment> pictures = prepare(std::move(configs.pictures), options, machine);
-    std::vector<AccuracyExperiment> accuracy;
-    for (const AccuracyConfig& config : configs.accuracy)
-      accuracy.push_back(
-          open_accuracy(config, folder_of(config.settings.experiment, options), machine, options.resume));
-    if (!pictures.empty()) code = run_all(pictures, machine, json);
-    for (const AccuracyExperiment& experiment : accuracy)
-      code = std::max(code, run_and_tell(experiment, json));
+    code = run_configs(std::move(configs), options, machine, json);
   }
   if (as_json) fmt::print("{}\n", list.dump(1));
   return code;

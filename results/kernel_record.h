@@ -33,10 +33,11 @@ struct KernelRecord {
   double parameter = std::numeric_limits<double>::quiet_NaN();  // the protocol's, such as the hit rate asked
   std::string scene;                                            // empty where the protocol has none
   int threads = 1;
-  double hit_rate = 0;            // of the tests, as this kernel found it
-  uint64_t tests = 0;             // a pass
-  uint64_t iterations = 0;        // passes a sample
-  std::vector<double> seconds{};  // a sample each, of `iterations` passes; none if it is not valid
+  double hit_rate = 0;      // of the tests, as this kernel found it
+  uint64_t tests = 0;       // a pass
+  uint64_t iterations = 0;  // passes a sample
+  // A sample each, of `iterations` passes: processor time, with several threads wall time. None if not valid.
+  std::vector<double> seconds{};
 };
 
 /// NaN is null in JSON.

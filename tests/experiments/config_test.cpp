@@ -79,8 +79,8 @@ TEST(config, each_bad_value_is_told_by_file_line_and_possible_values) {
             "sweep.toml:3: budget must be a duration such as \"90 s\", \"10 min\" or \"2 h\"");
   EXPECT_EQ(errors(head + "[measure]\ninterval = 2\n"),
             "sweep.toml:3: interval must be a number from 0.0001 to 1");
-  EXPECT_EQ(errors(head + "kind = \"kernel\"\n"),
-            "sweep.toml:2: unknown kind \"kernel\"; built here: picture, accuracy");
+  EXPECT_EQ(errors(head + "kind = \"kernels\"\n"),
+            "sweep.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel");
   EXPECT_EQ(errors(head + "[sweep]\nthreads = 0\n"),
             "sweep.toml:3: threads = 0 is out of range: a whole number from 1 to 1024 is possible");
   EXPECT_EQ(errors(head + "[sweep]\nthreads = [1, -1, 1000000000]\n"),

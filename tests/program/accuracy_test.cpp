@@ -140,8 +140,8 @@ TEST_F(AccuracyRun, bad_configs_are_refused_whole_with_file_line_and_possible_va
           "tiny.toml:5: unknown method \"wlad\"; built here: moller_trumbore, ");
   refused(head + "[sweep]\nmethod = \"wlad\"\nvariant = \"full\"\n",
           "tiny.toml:6: unknown variant \"full\"; possible: base, star");
-  refused("experiment = \"x\"\nkind = \"kernel\"\n",
-          "tiny.toml:2: unknown kind \"kernel\"; built here: picture, accuracy");
+  refused("experiment = \"x\"\nkind = \"kernels\"\n",
+          "tiny.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel");
   refused(tiny, "--budget is for pictures", {"--budget", "1"});
 }
 

@@ -1,0 +1,104 @@
+#include "experiments/kernel_verb.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "experiments/errors.h"
+#include "results/tables/kernel_tables.h"
+#include "results/tables/tables.h"
+
+namespace raysweep {
+
+namespace {
+
+nlohmann::json describe(const std::filesystem::path& folder, const KernelData& data) {
+  return {{"folder", folder.string()}, {"rows", rows_as_json(kernel_data(data.results))}};
+}
+
+/// Reasons, on standard error. The exit code.
+int tell_end(const KernelExperiment& experiment, const KernelReport& report) {
+  const std::string& name = experiment.plan.experiment;
+  const std::string folder = experiment.files->path().string();
+  if (report.void_records > 0) {
+    fmt::print(stderr, "{}: {} records void, and not timed; the first: {}\n", name, report.void_records,
+               report.first_void);
+  }
+  const int code = report.void_records > 0 ? exit_failed : exit_done;
+  switch (report.end) {
+    case KernelEnd::complete:
+      return code;
+    case KernelEnd::out_of_budget:
+      fmt::print(stderr,
+                 "{}: the budget of {:.0f} s was used up after {} of {} records; --budget gives more, "
+                 "--resume --out {} goes on.\n",
+                 name, experiment.plan.measure.budget_seconds, report.records, record_count(experiment.plan),
+                 folder);
+      return code;
+    case KernelEnd::interrupted:
+      fmt::print(stderr,
+                 "{}: interrupted: {} of {} records are finished and kept; go on with --resume --out {}.\n",
+                 name, report.records, record_count(experiment.plan), folder);
+      return exit_interrupted;
+    case KernelEnd::failed:
+      fmt::print(stderr, "raysweep: {}\n", report.failure);
+      return exit_failed;
+  }
+  return code;
+}
+
+std::string minutes(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
+}  // namespace
+
+int run_and_tell(const KernelExperiment& experiment, nlohmann::json* json) {
+  const auto& [plan, files] = experiment;
+  if (!json) {
+    fmt::print(stderr, "{}: {} cells in {} rounds, at most {:.0f} s; records go to {}\n", plan.experiment,
+               plan.cells.size(), plan.measure.rounds, plan.measure.budget_seconds, files->path().string());
+  }
+  const KernelReport report = run_kernels(experiment, json != nullptr);
+  int code = tell_end(experiment, report);
+  const KernelData data = read_kernel_run(files->path());
+  if (json) {
+    json->push_back(describe(files->path(), data));
+    json->back()["records"] = report.records;
+    json->back()["void_records"] = report.void_records;
+    json->back()["complete"] = report.end == KernelEnd::complete;
+  } else {
+    fmt::print("{}\nRecords, machine and tables: {}\n", kernel_tables_as_text(data), files->path().string());
+  }
+  try {
+    write_kernel_tables(data, files->path() / "tables");
+  } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
+    fmt::print(stderr, "raysweep: {}\n", error.what());
+    code = std::max(code, exit_failed);
+  }
+  return code;
+}
+
+void dry_run_kernels(const KernelConfig& config, nlohmann::json* json) {
+  const KernelPlan plan = make_plan(config);
+  if (json) {
+    json->push_back(to_json(plan));
+    json->back()["estimate_seconds"] = estimate_seconds(plan);
+    return;
+  }
+  fmt::print("{}About {}; the budget is {}.\n", plan_as_text(plan), minutes(estimate_seconds(plan)),
+             minutes(plan.measure.budget_seconds));
+}
+
+void report_kernels(const std::filesystem::path& folder, nlohmann::json* json) {
+  const KernelData data = read_kernel_run(folder);
+  if (json) {
+    json->push_back(describe(folder, data));
+  } else {
+    fmt::print("{}\n", kernel_tables_as_text(data));
+  }
+  write_kernel_tables(data, folder / "tables");
+}
+
+}  // namespace raysweep

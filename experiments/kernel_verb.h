@@ -1,0 +1,22 @@
+// What verbs do with kernel experiments.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "experiments/kernel_run.h"
+
+namespace raysweep {
+
+// Each of these prints for people, or, where `json` is not null, appends its document there instead.
+
+/// Runs, then tells with tables; writes these into the folder. The exit code.
+[[nodiscard]] int run_and_tell(const KernelExperiment& experiment, nlohmann::json* json);
+
+/// What would be run, and how long it might take.
+void dry_run_kernels(const KernelConfig& config, nlohmann::json* json);
+
+/// The tables of a folder anew. Throws RecordError where it cannot be read.
+void report_kernels(const std::filesystem::path& folder, nlohmann::json* json);
+
+}  // namespace raysweep
