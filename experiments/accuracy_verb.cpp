@@ -6,14 +6,22 @@
 
 #include "experiments/errors.h"
 #include "results/tables/accuracy_tables.h"
+#include "results/tables/contract_tables.h"
 #include "results/tables/tables.h"
 
 namespace raysweep {
 
 namespace {
 
-nlohmann::json describe(const std::filesystem::path& folder, const AccuracyData& data) {
-  return {{"folder", folder.string()}, {"rows", rows_as_json(accuracy_data(data.results))}};
+/// Broken promises are findings: they change no exit code of a run. Tests are what they fail.
+Contract promised() { return Contract::read(RAYSWEEP_CONTRACT); }
+
+nlohmann::json describe(const std::filesystem::path& folder, const AccuracyData& data,
+                        const Contract& contract) {
+  return {{"folder", folder.string()},
+          {"rows", rows_as_json(accuracy_data(data.results))},
+          {"contract", rows_as_json(contract_table(data.results, contract))},
+          {"contract_differences", rows_as_json(contract_differences_table(data.results, contract))}};
 }
 
 /// Progress and reasons, on standard error. The exit code.
@@ -37,6 +45,7 @@ std::string minutes(double seconds) {
 
 int run_and_tell(const AccuracyExperiment& experiment, nlohmann::json* json) {
   const auto& [plan, files] = experiment;
+  const Contract contract = promised();
   if (!json) {
     fmt::print(stderr, "{}: {} cells of {} rays; records go to {}\n", plan.settings.experiment,
                plan.cell_count(), plan.settings.ray_count, files->path().string());
@@ -45,14 +54,14 @@ int run_and_tell(const AccuracyExperiment& experiment, nlohmann::json* json) {
   int code = tell_end(experiment, report);
   const AccuracyData data = read_accuracy_run(files->path());
   if (json) {
-    json->push_back(describe(files->path(), data));
+    json->push_back(describe(files->path(), data, contract));
     json->back()["complete"] = report.cells == plan.cell_count();
   } else {
-    fmt::print("{}\nRecords, machine and tables: {}\n", accuracy_tables_as_text(data),
+    fmt::print("{}\nRecords, machine and tables: {}\n", accuracy_tables_as_text(data, contract),
                files->path().string());
   }
   try {
-    write_accuracy_tables(data, files->path() / "tables");
+    write_accuracy_tables(data, contract, files->path() / "tables");
   } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
     fmt::print(stderr, "raysweep: {}\n", error.what());
     code = std::max(code, exit_failed);
@@ -73,12 +82,13 @@ void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json) {
 
 void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json) {
   const AccuracyData data = read_accuracy_run(folder);
+  const Contract contract = promised();
   if (json) {
-    json->push_back(describe(folder, data));
+    json->push_back(describe(folder, data, contract));
   } else {
-    fmt::print("{}\n", accuracy_tables_as_text(data));
+    fmt::print("{}\n", accuracy_tables_as_text(data, contract));
   }
-  write_accuracy_tables(data, folder / "tables");
+  write_accuracy_tables(data, contract, folder / "tables");
 }
 
 }  // namespace raysweep

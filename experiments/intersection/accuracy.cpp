@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "experiments/intersection/subjects.h"
 #include "experiments/intersection/tally.h"
 
@@ -75,6 +77,20 @@ std::vector<AccuracyRecord> records_of(const AccuracyBatch& batch, const Accurac
 }
 
 }  // namespace
+
+std::vector<AccuracyBatch> all_batches(const Case& one) {
+  const auto indices = [](size_t count) {
+    std::vector<size_t> all(count);
+    std::iota(all.begin(), all.end(), size_t{0});
+    return all;
+  };
+  std::vector<AccuracyBatch> batches;
+  for (size_t level = 0; level < one.difficulties.size(); ++level) {
+    batches.push_back({&one, level, Precision::float_precision, indices(all_subjects<float>().size())});
+    batches.push_back({&one, level, Precision::double_precision, indices(all_subjects<double>().size())});
+  }
+  return batches;
+}
 
 std::string cell_key(const AccuracyBatch& batch, size_t subject) {
   const auto key = [&](const auto& s) {

@@ -31,6 +31,9 @@ struct AccuracySettings {
   size_t ray_count = 0;
 };
 
+/// All subjects of both precisions on a case, level by level.
+[[nodiscard]] std::vector<AccuracyBatch> all_batches(const Case& one);
+
 /// The key of a batch's cell: "wald/division=late/float/W1/0.5".
 [[nodiscard]] std::string cell_key(const AccuracyBatch& batch, size_t subject);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/accuracy_results.h"
+#include "results/contract.h"
 #include "results/tables/table.h"
 
 namespace raysweep {
@@ -43,10 +44,12 @@ struct NamedTable {
 /// For programs: one row a cell, every number unrounded.
 [[nodiscard]] Table accuracy_data(const AccuracyResults& results);
 
-/// What a terminal should show: where methods fail, and how often; cases one by one stand in files.
-[[nodiscard]] std::string accuracy_tables_as_text(const AccuracyData& data);
+/// What a terminal should show: where methods fail, and how often, and whether that is what they promise;
+/// cases one by one stand in files.
+[[nodiscard]] std::string accuracy_tables_as_text(const AccuracyData& data, const Contract& contract);
 
 /// Writes all of them, as .md and .csv, and `cells.csv`, into `folder`, which is made.
-void write_accuracy_tables(const AccuracyData& data, const std::filesystem::path& folder);
+void write_accuracy_tables(const AccuracyData& data, const Contract& contract,
+                           const std::filesystem::path& folder);
 
 }  // namespace raysweep

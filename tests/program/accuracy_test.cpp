@@ -41,6 +41,7 @@ TEST_F(AccuracyRun, leaves_records_of_all_cells_and_tables_and_says_so) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("first difficulty with a false miss"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("variants do not exist: tables/left-out.md"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("what methods promise"), std::string::npos) << result.out;
   const auto plan = nlohmann::json::parse(in("a", "plan.json"));
   const std::string records = in("a", "records.jsonl");
   EXPECT_EQ(lines(records), plan["cells"].size());
@@ -50,7 +51,7 @@ TEST_F(AccuracyRun, leaves_records_of_all_cells_and_tables_and_says_so) {
   EXPECT_EQ(first["cell"], plan["cells"][0]);
   for (const char* name :
        {"where-failing-float", "false-misses-double", "false-hits-float", "missed-rays-float", "case-W1",
-        "case-D1", "variants", "variant-cells", "left-out"}) {
+        "case-D1", "variants", "variant-cells", "left-out", "contract", "contract-differences"}) {
     for (const char* suffix : {".md", ".csv"})
       EXPECT_NE(in("a", "tables/" + std::string(name) + suffix), "") << name << suffix;
   }
@@ -77,6 +78,7 @@ TEST_F(AccuracyRun, is_told_anew_from_its_records_alone) {
   const ProgramResult json = run_program({"report", folder.file("a"), "--json"});
   const auto document = nlohmann::json::parse(json.out);
   EXPECT_EQ(document[0]["rows"].size(), lines(in("a", "records.jsonl")));
+  EXPECT_EQ(document[0]["contract"].size(), 4u) << "two methods in two precisions";
 }
 
 TEST_F(AccuracyRun, goes_on_where_it_was_stopped_and_ends_with_the_same_records) {
