@@ -70,6 +70,13 @@ std::string set_slowdown(Cell& cell, const std::string& value) {
   return {};
 }
 
+std::string set_method(Cell& cell, const std::string& value) {
+  if (value != "auto") return set_choice("method", cell.settings.method, value, methods());
+  return "method = \"auto\" is for `raysweep render`, which chooses by the scene; name the methods here, or "
+         "ask "
+         "`raysweep advise` which";
+}
+
 std::string set_pattern(Cell& cell, const std::string& value) {
   std::string problem = pattern_problem(value);
   if (problem.empty()) cell.settings.pattern = value;

@@ -17,6 +17,8 @@ namespace raysweep {
 [[nodiscard]] std::string set_lights(Cell& cell, const std::string& value);
 [[nodiscard]] std::string set_pixel_tolerance(Cell& cell, const std::string& value);
 [[nodiscard]] std::string set_slowdown(Cell& cell, const std::string& value);
+/// One of methods(); "auto" is none, and its sentence says who understands it.
+[[nodiscard]] std::string set_method(Cell& cell, const std::string& value);
 [[nodiscard]] std::string set_pattern(Cell& cell, const std::string& value);
 [[nodiscard]] std::string set_isa(Cell& cell, const std::string& value);
 [[nodiscard]] std::string set_scheduler(Cell& cell, const std::string& value);

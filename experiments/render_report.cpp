@@ -81,11 +81,24 @@ nlohmann::json describe(const Cell& cell, const RenderJob& job, const RenderOutc
                       {"threads_seen", job.log().workers_seen()}};
   if (job.log().detail() != LogDetail::counts) json["workers"] = workers_as_json(job.log());
   if (outcome.difference) json["difference"] = to_json(*outcome.difference);
+  if (outcome.chosen) {
+    json["chosen"] = {{"method", cell.settings.method},
+                      {"precision", cell.settings.precision},
+                      {"predicted", outcome.chosen->bound},
+                      {"hit_tolerance", outcome.chosen->tolerance}};
+  }
   return json;
 }
 
 void print_outcome(const Cell& cell, const RenderJob& job, const RenderOutcome& outcome) {
   const auto [rays, left_out] = of_one_frame(job.counts(), outcome.frames);
+  if (outcome.chosen) {
+    fmt::print(
+        "method {} in {}: the cheapest that can promise hit points within {} of the scene's size; it "
+        "promises "
+        "{:.1e}\n",
+        cell.settings.method, cell.settings.precision, outcome.chosen->tolerance, outcome.chosen->bound);
+  }
   fmt::print("{}: {} × {}, {:.3f} s a frame ({:.3g} fps) by {} on {} of {} threads\n", outcome.out,
              cell.settings.width, cell.settings.height, outcome.seconds / outcome.frames,
              outcome.frames / outcome.seconds, cell.scheduler, job.log().workers_seen(), cell.threads);

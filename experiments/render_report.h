@@ -10,11 +10,17 @@
 
 namespace raysweep {
 
+/// Why the method "auto" became what it is.
+struct ChosenMethod {
+  double bound = 0, tolerance = 0;  // of hit points, as shares of the scene's size
+};
+
 struct RenderOutcome {
   std::string out;
   int frames = 1;
   double seconds = 0;                           // of all frames
   std::optional<PictureDifference> difference;  // from the reference, where one was given
+  std::optional<ChosenMethod> chosen;           // of the method "auto"
 };
 
 /// All of it, as one JSON document.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "experiments/advise/advisor.h"
 #include "experiments/cell_factors.h"
 #include "experiments/clock.h"
 #include "experiments/errors.h"
@@ -17,6 +18,7 @@
 #include "schedulers/placement.h"
 #include "schedulers/registry.h"
 #include "tracer/film_exr.h"
+#include "tracer/scene/scenes.h"
 #include "tracer/whole_file.h"
 
 namespace raysweep {
@@ -26,6 +28,7 @@ namespace {
 struct RenderOptions {
   std::string mode, out, reference, trace;
   std::map<std::string, std::string> factors;  // as given; absent: the mode's or the default
+  std::optional<double> hit_tolerance;         // of the method "auto"
   int frames = 1;
 };
 
@@ -79,7 +82,35 @@ ExrPicture read_reference(const RenderOptions& options, const Cell& cell) {
   }
 }
 
-Cell make_cell(const RenderOptions& options, const Topology& topology) {
+bool chooses_method(const RenderOptions& options) {
+  const auto method = options.factors.find("method");
+  return method != options.factors.end() && method->second == "auto";
+}
+
+void check_tolerance(const RenderOptions& options) {
+  if (!options.hit_tolerance) return;
+  if (!chooses_method(options)) {
+    throw RequestError(fmt::format("--hit-tolerance {}: chooses a method, which only --method auto asks for",
+                                   *options.hit_tolerance));
+  }
+  if (const std::string problem = tolerance_problem(*options.hit_tolerance); !problem.empty())
+    throw RequestError(problem);
+}
+
+/// Takes the cheapest method that keeps the tolerance, of the precision that was given if one was; says which
+/// in `chosen`.
+void choose_method(Cell& cell, const RenderOptions& options, std::optional<ChosenMethod>& chosen) {
+  if (!chooses_method(options)) return;
+  const double tolerance = options.hit_tolerance.value_or(default_hit_tolerance);
+  const bool is_given = options.factors.contains("precision");
+  const Prediction choice = choose_method(load_scene(cell.scene, cell.lights), cell.settings.core,
+                                          is_given ? cell.settings.precision : "", tolerance);
+  cell.settings.method = choice.choice.method;
+  cell.settings.precision = choice.choice.precision;
+  chosen = {choice.bound, tolerance};
+}
+
+Cell make_cell(const RenderOptions& options, const Topology& topology, std::optional<ChosenMethod>& chosen) {
   Cell cell;
   cell.scheduler = "thread_dynamic";
   cell.item = "tiles";
@@ -87,11 +118,14 @@ Cell make_cell(const RenderOptions& options, const Topology& topology) {
   if (!options.mode.empty()) set_mode(cell, options.mode);
   for (const CellFactor& factor : cell_factors()) {
     const auto given = options.factors.find(std::string(factor.name));
-    if (given != options.factors.end()) set_factor(cell, factor, given->second);
+    if (given == options.factors.end()) continue;
+    if (factor.name == "method" && chooses_method(options)) continue;
+    set_factor(cell, factor, given->second);
   }
   if (const std::string problem = pin_problem(cell.pin, topology.processor_numbers()); !problem.empty())
     throw RequestError(problem);
   refuse_impossible(cell);
+  choose_method(cell, options, chosen);
   collapse_ignored_factors(cell);
   resolve_lights(cell);
   return cell;
@@ -118,9 +152,11 @@ double render_frames(RenderJob& job, int frames, bool quiet) {
 int run(const RenderOptions& options, bool json) {
   check_out(options.out);
   check_trace(options);
+  check_tolerance(options);
   const Topology topology = this_topology();
   const int pus = topology.processors();
-  const Cell cell = make_cell(options, topology);
+  std::optional<ChosenMethod> chosen;
+  const Cell cell = make_cell(options, topology, chosen);
   check_size(options, cell);
   std::optional<ExrPicture> reference;
   if (!options.reference.empty()) reference = read_reference(options, cell);
@@ -128,7 +164,7 @@ int run(const RenderOptions& options, bool json) {
     fmt::print(stderr, "note: {} threads on {} processors: oversubscribed\n", cell.threads, pus);
   RenderJob job(cell);
   if (!options.trace.empty()) job.reset(LogDetail::events);
-  RenderOutcome outcome{options.out, options.frames, render_frames(job, options.frames, json), {}};
+  RenderOutcome outcome{options.out, options.frames, render_frames(job, options.frames, json), {}, chosen};
   if (!options.trace.empty()) write_trace(cell, job, options.trace);
   const bool exr = options.out.ends_with(".exr");
   const std::vector<uint32_t> ids = exr || reference ? job.hit_ids() : std::vector<uint32_t>();
@@ -162,6 +198,8 @@ void add_render(CommandLine& line) {
         option, [name](const std::string& value) { options.factors[name] = value; },
         std::string(factor.possible));
   }
+  verb.add_option("--hit-tolerance", options.hit_tolerance,
+                  "of --method auto: how far a hit point may be off, as a share of the scene's size (1e-4)");
   verb.add_option("--frames", options.frames, "frames to render; times are their mean").range(1, 1000000);
   verb.add_option("--reference", options.reference, "an .exr picture of the same size to compare with");
   verb.add_option("--trace", options.trace,

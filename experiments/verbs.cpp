@@ -17,7 +17,7 @@ void add_all_verbs(CommandLine& line) {
   line.app.require_subcommand(1, 1);
   line.app.set_version_flag("--version", RAYSWEEP_VERSION);
   for (const auto add : {add_run, add_render, add_list, add_topology, add_doctor, add_report, add_compare,
-                         add_peers, add_launch})
+                         add_peers, add_advise, add_launch})
     add(line);
 }
 

@@ -24,6 +24,7 @@ void add_launch(CommandLine& line);
 void add_report(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_peers(CommandLine& line);
+void add_advise(CommandLine& line);
 
 /// All of them, and the options of the program itself.
 void add_all_verbs(CommandLine& line);

@@ -1,0 +1,116 @@
+#include "experiments/advise/time_rounds.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "experiments/clock.h"
+#include "experiments/intersection/kernel.h"
+#include "results/statistics/random.h"
+#include "tracer/render.h"
+
+namespace raysweep {
+
+namespace {
+
+/// What one run of a contestant took, in nanoseconds a ray.
+using Run = std::function<double()>;
+
+/// All `runs` once, which is not counted: caches and pages get warm. Then in rounds, each in another order.
+std::vector<std::vector<double>> run_rounds(const std::vector<Run>& runs, const RoundOptions& options) {
+  std::vector<std::vector<double>> times(runs.size());
+  std::vector<size_t> order(runs.size());
+  for (size_t i = 0; i < runs.size(); ++i) {
+    order[i] = i;
+    (void)runs[i]();
+  }
+  Random random(options.seed);
+  const double begin = now_seconds();
+  for (int round = 0; round < options.most; ++round) {
+    if (round >= options.least && now_seconds() - begin > options.seconds) break;
+    for (size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random.index(left)]);
+    for (const size_t i : order) times[i].push_back(runs[i]());
+  }
+  return times;
+}
+
+constexpr double nanoseconds_a_second = 1e9;
+
+/// One renderer with all that it writes to.
+class Picture {
+ public:
+  Picture(const Scene& scene, const RenderSettings& settings)
+      : whole_{0, 0, settings.width, settings.height},
+        film_(settings.width, settings.height),
+        renderer_(make_renderer(scene, settings)),
+        workspace_(renderer_->make_workspace()) {}
+
+  double nanoseconds_a_ray() {
+    const double begin = now_seconds();
+    const RenderCounts counts = renderer_->render(whole_, film_, *workspace_);
+    return (now_seconds() - begin) * nanoseconds_a_second / static_cast<double>(counts.rays.total());
+  }
+
+ private:
+  Tile whole_;
+  Film film_;
+  std::unique_ptr<const Renderer> renderer_;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+template <class T>
+Work<T> work_of(const std::vector<SampledHit>& hits) {
+  Work<T> work;
+  for (const auto& [ray, triangle] : hits) {
+    const auto index = static_cast<uint32_t>(work.rays.size());
+    work.rays.push_back({Vec3<T>(ray.origin), Vec3<T>(ray.direction)});
+    work.triangles.push_back(triangle.template as<T>());
+    work.visits.push_back({index, index, 1});
+  }
+  return work;
+}
+
+/// Adds the base kernels of one precision.
+template <class T>
+void add_kernels(const Work<T>& work, std::string_view precision, std::vector<TimedKernel>& timed,
+                 std::vector<Run>& runs) {
+  for (const Kernel<T>& kernel : all_kernels<T>()) {
+    if (kernel.change != "base") continue;
+    timed.push_back({kernel.method, precision, {}});
+    const std::shared_ptr<KernelPass> pass = kernel.prepare(work);
+    const double tests = static_cast<double>(work.test_count());
+    runs.push_back([pass, tests] {
+      const double begin = now_seconds();
+      (void)pass->run();
+      return (now_seconds() - begin) * nanoseconds_a_second / tests;
+    });
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> time_pictures(const Scene& scene,
+                                               const std::vector<RenderSettings>& settings,
+                                               const RoundOptions& options) {
+  std::vector<Run> runs;
+  for (const RenderSettings& one : settings) {
+    const auto picture = std::make_shared<Picture>(scene, one);
+    runs.push_back([picture] { return picture->nanoseconds_a_ray(); });
+  }
+  return run_rounds(runs, options);
+}
+
+std::vector<TimedKernel> time_kernels(const std::vector<SampledHit>& hits, const RoundOptions& options) {
+  std::vector<TimedKernel> timed;
+  if (hits.empty()) return timed;
+  const Work<float> of_floats = work_of<float>(hits);
+  const Work<double> of_doubles = work_of<double>(hits);
+  std::vector<Run> runs;
+  add_kernels(of_floats, "float", timed, runs);
+  add_kernels(of_doubles, "double", timed, runs);
+  std::vector<std::vector<double>> times = run_rounds(runs, options);
+  for (size_t i = 0; i < timed.size(); ++i) timed[i].nanoseconds = std::move(times[i]);
+  return timed;
+}
+
+}  // namespace raysweep
