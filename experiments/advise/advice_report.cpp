@@ -65,7 +65,7 @@ Table advice_table(const Advice& advice) {
       "{}: {} triangles, {:.4g} from corner to corner; hit tolerance {} of that, which is {:.2g}; core {}\n"
       "errors of hit points that all but one in a thousand keep, as a share of the scene's size: predicted "
       "from {} hits, measured on {} others\n"
-      "time of a ray in whole pictures, one thread: median over {} rounds and its 95 % interval",
+      "processor time of a ray in whole pictures by one thread: median over {} rounds and its 95 % interval",
       advice.scene, advice.triangles, advice.size, advice.tolerance, advice.tolerance * advice.size,
       advice.core, advice.predicted_hits, advice.measured_hits, advice.all.front().nanoseconds.size());
   table.columns = {{"method", false}, {"precision", false}, {"predicted"},     {"measured"},

@@ -15,21 +15,15 @@ Measurement as_share(Measurement measured, double size) {
   return measured;
 }
 
-std::vector<Advised> candidates_of(const Scene& scene, const AdviceRequest& request, double size,
-                                   const std::vector<SampledHit>& to_predict,
-                                   const std::vector<SampledHit>& to_measure) {
-  std::vector<Advised> all;
+std::vector<std::vector<double>> times_of(const Scene& scene, const std::vector<MethodChoice>& choices,
+                                          const AdviceRequest& request) {
   std::vector<RenderSettings> settings;
-  for (const Prediction& one : predict(choices_by_cost(request.settings.core), to_predict, size)) {
-    const auto [method, precision] = one.choice;
-    all.push_back({one, as_share(measured_error(method, precision, to_measure), size), {}});
+  for (const MethodChoice& choice : choices) {
     settings.push_back(request.settings);
-    settings.back().method = method;
-    settings.back().precision = precision;
+    settings.back().method = choice.method;
+    settings.back().precision = choice.precision;
   }
-  const auto times = time_pictures(scene, settings, request.rounds);
-  for (size_t i = 0; i < all.size(); ++i) all[i].nanoseconds = times[i];
-  return all;
+  return time_pictures(scene, settings, request.rounds);
 }
 
 /// Kernels take a tenth of the pictures' time.
@@ -51,6 +45,9 @@ std::vector<StudyLine> study_of(const AdviceRequest& request, double size,
 }  // namespace
 
 Advice advise(const Scene& scene, const AdviceRequest& request) {
+  const std::vector<MethodChoice> choices = choices_by_cost(request.settings.core);
+  // Before the sampling, which builds a hierarchy and drops it: the first renderer would get its memory.
+  const auto times = times_of(scene, choices, request);
   const auto samples = sample_hits(scene, {predicted_sample, measured_sample});
   Advice advice;
   advice.scene = scene.name;
@@ -61,7 +58,11 @@ Advice advise(const Scene& scene, const AdviceRequest& request) {
   advice.size = scene_size(scene);
   advice.tolerance = request.tolerance;
   advice.numbers = numbers_of(samples[0]);
-  advice.all = candidates_of(scene, request, advice.size, samples[0], samples[1]);
+  for (const Prediction& one : predict(choices, samples[0], advice.size)) {
+    const auto [method, precision] = one.choice;
+    advice.all.push_back({one, as_share(measured_error(method, precision, samples[1]), advice.size),
+                          times[advice.all.size()]});
+  }
   advice.ranking = rank(advice.all, request.tolerance);
   advice.study = study_of(request, advice.size, samples[0], samples[1]);
   return advice;

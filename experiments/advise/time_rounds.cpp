@@ -1,7 +1,10 @@
 #include "experiments/advise/time_rounds.h"
 
+#include <time.h>
+
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "experiments/clock.h"
@@ -13,23 +16,34 @@ namespace raysweep {
 
 namespace {
 
+/// Of this thread on a processor: pictures are made by one thread, and what others do meanwhile is not its
+/// cost.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
 /// What one run of a contestant took, in nanoseconds a ray.
 using Run = std::function<double()>;
 
+/// 0 to count − 1 in any order (Fisher & Yates).
+std::vector<size_t> shuffled(size_t count, Random& random) {
+  std::vector<size_t> order(count);
+  std::iota(order.begin(), order.end(), size_t{0});
+  for (size_t left = count; left > 1; --left) std::swap(order[left - 1], order[random.index(left)]);
+  return order;
+}
+
 /// All `runs` once, which is not counted: caches and pages get warm. Then in rounds, each in another order.
-std::vector<std::vector<double>> run_rounds(const std::vector<Run>& runs, const RoundOptions& options) {
+std::vector<std::vector<double>> run_rounds(const std::vector<Run>& runs, const RoundOptions& options,
+                                            Random& random) {
   std::vector<std::vector<double>> times(runs.size());
-  std::vector<size_t> order(runs.size());
-  for (size_t i = 0; i < runs.size(); ++i) {
-    order[i] = i;
-    (void)runs[i]();
-  }
-  Random random(options.seed);
+  for (const Run& run : runs) (void)run();
   const double begin = now_seconds();
   for (int round = 0; round < options.most; ++round) {
     if (round >= options.least && now_seconds() - begin > options.seconds) break;
-    for (size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random.index(left)]);
-    for (const size_t i : order) times[i].push_back(runs[i]());
+    for (const size_t i : shuffled(runs.size(), random)) times[i].push_back(runs[i]());
   }
   return times;
 }
@@ -46,9 +60,9 @@ class Picture {
         workspace_(renderer_->make_workspace()) {}
 
   double nanoseconds_a_ray() {
-    const double begin = now_seconds();
+    const double begin = thread_seconds();
     const RenderCounts counts = renderer_->render(whole_, film_, *workspace_);
-    return (now_seconds() - begin) * nanoseconds_a_second / static_cast<double>(counts.rays.total());
+    return (thread_seconds() - begin) * nanoseconds_a_second / static_cast<double>(counts.rays.total());
   }
 
  private:
@@ -80,9 +94,9 @@ void add_kernels(const Work<T>& work, std::string_view precision, std::vector<Ti
     const std::shared_ptr<KernelPass> pass = kernel.prepare(work);
     const double tests = static_cast<double>(work.test_count());
     runs.push_back([pass, tests] {
-      const double begin = now_seconds();
+      const double begin = thread_seconds();
       (void)pass->run();
-      return (now_seconds() - begin) * nanoseconds_a_second / tests;
+      return (thread_seconds() - begin) * nanoseconds_a_second / tests;
     });
   }
 }
@@ -92,12 +106,14 @@ void add_kernels(const Work<T>& work, std::string_view precision, std::vector<Ti
 std::vector<std::vector<double>> time_pictures(const Scene& scene,
                                                const std::vector<RenderSettings>& settings,
                                                const RoundOptions& options) {
-  std::vector<Run> runs;
-  for (const RenderSettings& one : settings) {
-    const auto picture = std::make_shared<Picture>(scene, one);
-    runs.push_back([picture] { return picture->nanoseconds_a_ray(); });
+  std::vector<Run> runs(settings.size());
+  Random random(options.seed);
+  // Built in any order: who comes first gets other memory than who comes last.
+  for (const size_t i : shuffled(settings.size(), random)) {
+    const auto picture = std::make_shared<Picture>(scene, settings[i]);
+    runs[i] = [picture] { return picture->nanoseconds_a_ray(); };
   }
-  return run_rounds(runs, options);
+  return run_rounds(runs, options, random);
 }
 
 std::vector<TimedKernel> time_kernels(const std::vector<SampledHit>& hits, const RoundOptions& options) {
@@ -108,7 +124,8 @@ std::vector<TimedKernel> time_kernels(const std::vector<SampledHit>& hits, const
   std::vector<Run> runs;
   add_kernels(of_floats, "float", timed, runs);
   add_kernels(of_doubles, "double", timed, runs);
-  std::vector<std::vector<double>> times = run_rounds(runs, options);
+  Random random(options.seed);
+  std::vector<std::vector<double>> times = run_rounds(runs, options, random);
   for (size_t i = 0; i < timed.size(); ++i) timed[i].nanoseconds = std::move(times[i]);
   return timed;
 }

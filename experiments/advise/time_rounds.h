@@ -15,12 +15,12 @@ struct RoundOptions {
   double seconds = 6;  // that rounds may take together
   int least = 7;       // rounds that there are even so; fewer than six have no interval
   int most = 200;
-  uint64_t seed = 1;  // of the order in each round
+  uint64_t seed = 1;  // of the order of building, and of runs in each round
 };
 
-/// Nanoseconds of one thread a ray of any kind, for each of `settings` in each round: a whole picture of
-/// `scene` as `render` makes it, shading included, its hierarchy built before. All renderers are held at
-/// once.
+/// Nanoseconds of processor time of one thread a ray of any kind, for each of `settings` in each round: a
+/// whole picture of `scene` as `render` makes it, shading included, its hierarchy built before. All renderers
+/// are held at once.
 [[nodiscard]] std::vector<std::vector<double>> time_pictures(const Scene& scene,
                                                              const std::vector<RenderSettings>& settings,
                                                              const RoundOptions& options);
