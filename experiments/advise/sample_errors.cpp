@@ -91,7 +91,7 @@ bool is_double(std::string_view precision) {
 
 double kept_error(std::vector<double> errors) {
   if (errors.empty()) return 0;
-  const auto index = std::ceil(kept_share * static_cast<double>(errors.size() - 1));
+  const auto index = std::ceil(kept_share * static_cast<double>(errors.size())) - 1;
   const auto kept = errors.begin() + static_cast<std::ptrdiff_t>(index);
   std::nth_element(errors.begin(), kept, errors.end());
   return *kept;
