@@ -12,11 +12,7 @@ namespace {
 
 void check_sizes(const Film& picture, std::span<const uint32_t> ids, const Film& reference,
                  std::span<const uint32_t> reference_ids) {
-  if (picture.width() != reference.width() || picture.height() != reference.height()) {
-    throw std::invalid_argument(
-        fmt::format("pictures of different size cannot be compared: {} × {} pixels, the reference {} × {}",
-                    picture.width(), picture.height(), reference.width(), reference.height()));
-  }
+  refuse_different_sizes(picture, reference);
   for (const auto& of_one : {ids, reference_ids}) {
     if (!of_one.empty() && of_one.size() != picture.pixels().size()) {
       throw std::invalid_argument(fmt::format("{} hit ids do not belong to a picture of {} × {} pixels",
@@ -25,7 +21,8 @@ void check_sizes(const Film& picture, std::span<const uint32_t> ids, const Film&
   }
 }
 
-/// The largest difference of a channel in 8-bit sRGB.
+}  // namespace
+
 int byte_difference(const Vec3f& a, const Vec3f& b) {
   int largest = 0;
   for (int channel = 0; channel < 3; ++channel)
@@ -33,7 +30,12 @@ int byte_difference(const Vec3f& a, const Vec3f& b) {
   return largest;
 }
 
-}  // namespace
+void refuse_different_sizes(const Film& picture, const Film& reference) {
+  if (picture.width() == reference.width() && picture.height() == reference.height()) return;
+  throw std::invalid_argument(
+      fmt::format("pictures of different size cannot be compared: {} × {} pixels, the reference {} × {}",
+                  picture.width(), picture.height(), reference.width(), reference.height()));
+}
 
 PictureDifference compare(const Film& picture, std::span<const uint32_t> ids, const Film& reference,
                           std::span<const uint32_t> reference_ids) {
@@ -45,6 +47,7 @@ PictureDifference compare(const Film& picture, std::span<const uint32_t> ids, co
     const int bytes = byte_difference(a, b);
     difference.max_8bit = std::max(difference.max_8bit, bytes);
     difference.differing_pixels += bytes > 0;
+    difference.wrong_pixels += bytes > tolerated_8bit;
     if (!all_finite(a) || !all_finite(b)) {
       difference.non_finite++;
       continue;

@@ -31,6 +31,7 @@ TEST(compare, identical_pictures_do_not_differ) {
   EXPECT_EQ(d.relative_mse, 0);
   EXPECT_EQ(d.max_8bit, 0);
   EXPECT_EQ(d.differing_pixels, 0u);
+  EXPECT_EQ(d.wrong_pixels, 0u);
   EXPECT_EQ(d.non_finite, 0u);
   EXPECT_EQ(d.differing_hits, 0u);
   EXPECT_TRUE(d.hits_known);
@@ -58,6 +59,19 @@ TEST(compare, bytes_are_compared_as_they_are_shown) {
   EXPECT_EQ(d.max_8bit, 137);
   EXPECT_EQ(d.differing_pixels, 2u);
   EXPECT_EQ(compare(reference, {}, picture, {}).max_8bit, 137);
+}
+
+/// In sRGB 0.25 is 136.96 and 0.252 is 137.45: bytes 137 and 137; 0.255 is 138, 0.26 is 139.
+TEST(compare, a_pixel_is_wrong_from_two_steps_of_8_bit_on) {
+  Film picture(4, 1), reference(4, 1);
+  reference.fill({0.25f, 0.25f, 0.25f});
+  picture.at(0, 0) = {0.25f, 0.252f, 0.25f};
+  picture.at(1, 0) = {0.255f, 0.255f, 0.255f};
+  picture.at(2, 0) = {0.25f, 0.26f, 0.25f};
+  picture.at(3, 0) = {nan, 0.25f, 0.25f};
+  const PictureDifference d = compare(picture, {}, reference, {});
+  EXPECT_EQ(d.differing_pixels, 3u);
+  EXPECT_EQ(d.wrong_pixels, 2u);
 }
 
 TEST(compare, a_pixel_that_is_not_finite_is_counted_and_left_out_of_the_means) {
