@@ -10,6 +10,7 @@
 #include "experiments/row_choice.h"
 #include "experiments/verbs.h"
 #include "results/run_comparison.h"
+#include "tracer/difference_pictures.h"
 #include "tracer/film_exr.h"
 
 namespace raysweep {
@@ -18,7 +19,7 @@ namespace {
 
 struct CompareOptions {
   std::vector<std::string> what, cells;
-  std::string fail_if_slower;
+  std::string fail_if_slower, out;
 };
 
 /// "5%", "5 %" or "0.05" as a share; more than any slowdown where none is given.
@@ -48,19 +49,27 @@ ExrPicture read_picture(const std::string& file) {
 int compare_pictures(const CompareOptions& options, bool as_json) {
   if (!options.cells.empty() || !options.fail_if_slower.empty())
     throw RequestError("--cell and --fail-if-slower are for runs; these are pictures");
+  if (!options.out.empty() && !options.out.ends_with(".png"))
+    throw RequestError(
+        fmt::format("--out {}: the map is written as .png; name a file that ends so", options.out));
   const ExrPicture a = read_picture(options.what[0]), b = read_picture(options.what[1]);
   std::optional<PictureDifference> difference;
+  std::optional<FlipMap> map;
   try {
     difference = compare(b.film, b.hit_ids, a.film, a.hit_ids);
-  } catch (const std::invalid_argument& error) {
+    map = flip(b.film, a.film);
+    if (!options.out.empty()) write_png(picture_of(*map), options.out);
+  } catch (const std::exception& error) {
     throw RequestError(error.what());
   }
   if (as_json) {
-    fmt::print("{}\n", to_json(*difference).dump(1));
+    nlohmann::json json = to_json(*difference);
+    json["flip"] = to_json(*map);
+    fmt::print("{}\n", json.dump(1));
   } else {
     const bool equal = a.film.hash() == b.film.hash();
-    fmt::print("{} against {}: {}{}\n", options.what[1], options.what[0], equal ? "equal in every bit; " : "",
-               to_text(*difference));
+    fmt::print("{} against {}: {}{}; {}\n", options.what[1], options.what[0],
+               equal ? "equal in every bit; " : "", to_text(*difference), to_text(*map));
   }
   return exit_done;
 }
@@ -81,6 +90,7 @@ int run(const CompareOptions& options, bool as_json) {
   const auto is_picture = [](const std::string& file) { return file.ends_with(".exr"); };
   if (options.what.size() == 2 && is_picture(options.what[0]) && is_picture(options.what[1]))
     return compare_pictures(options, as_json);
+  if (!options.out.empty()) throw RequestError("--out is for pictures; these are runs");
   const double share = parse_share(options.fail_if_slower);
   const RunComparison comparison = compare_what_was_asked(options);
   if (as_json) {
@@ -112,6 +122,7 @@ void add_compare(CommandLine& line) {
       "--fail-if-slower", options.fail_if_slower,
       "exit code 1 if a cell of B is shown to be slower, by more than this at best guess, such as "
       "5%; or if a cell of A cannot be compared");
+  verb.add_option("--out", options.out, "of two pictures: where they differ to the eye (FLIP), as .png");
   verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }
 

@@ -105,6 +105,48 @@ TEST_F(Compare, two_pictures) {
   EXPECT_EQ(different["holes"], 0);
   const ProgramResult same = run_program({"compare", b, again});
   EXPECT_NE(same.out.find("equal in every bit"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("FLIP 0 on average, 0 at the 95th percentile, 0 at most"), std::string::npos)
+      << same.out;
+}
+
+/// One pixel of 32 × 24 that is white instead of black: one wrong pixel, which the eye at its distance sees
+/// smeared over its neighbours.
+TEST_F(Compare, of_pictures_tells_wrong_pixels_and_what_is_seen_of_them_and_draws_it) {
+  const std::string head =
+      "[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\nfield_of_view = 40\n[materials.m]\ncolour = [1, "
+      "1, "
+      "1]\nk_ambient = 1\nk_diffuse = 0\nk_specular = 0\n[[objects]]\nshape = \"sphere\"\nmaterial = "
+      "\"m\"\ncentre = ";
+  const auto render = [&](const char* name, const char* sphere) {
+    const std::string scene = folder.write("scene.toml", head + sphere);
+    EXPECT_EQ(run_program(
+                  {"render", "--scene", scene, "--width", "32", "--height", "24", "--out", folder.file(name)})
+                  .exit_code,
+              0);
+    return folder.file(name);
+  };
+  // A pixel is 2·5·tan(20°)/24 = 0.152 wide here; the first sphere lies about its centre, the second behind
+  // the camera.
+  const std::string dot = render("a.exr", "[0.076, 0.076, 0]\nradius = 0.05\n"),
+                    none = render("b.exr", "[0.076, 0.076, 90]\nradius = 0.05\n"),
+                    map = folder.file("map.png");
+  const auto json = nlohmann::json::parse(run_program({"compare", none, dot, "--out", map, "--json"}).out);
+  EXPECT_EQ(json["wrong_pixels"], 1);
+  EXPECT_EQ(json["differing_pixels"], 1);
+  EXPECT_LT(json["flip"]["p95"], json["flip"]["max"]);
+  EXPECT_GT(json["flip"]["max"], 0.1);
+  EXPECT_LT(json["flip"]["mean"], 0.1);
+  EXPECT_TRUE(read_file(map).starts_with("\x89PNG"));
+  const std::pair<std::vector<std::string>, const char*> wrong[] = {
+      {{"compare", none, dot, "--out", folder.file("map.jpg")}, "the map is written as .png"},
+      {{"compare", none, dot, "--out", folder.file("none/map.png")}, "none/map.png"},
+      {{"compare", folder.file("a"), folder.file("b"), "--out", map},
+       "--out is for pictures; these are runs"}};
+  for (const auto& [command, sentence] : wrong) {
+    const ProgramResult result = run_program(command);
+    EXPECT_EQ(result.exit_code, 2) << sentence;
+    EXPECT_NE(result.err.find(sentence), std::string::npos) << result.err;
+  }
 }
 
 }  // namespace
