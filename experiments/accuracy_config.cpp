@@ -55,34 +55,6 @@ class Parser : public TomlReader {
     config_.settings.seed = static_cast<uint64_t>(integer_or(measure, "seed", 1, 0, 1 << 30));
   }
 
-  /// A name or a list of them, each once; "all" are those known, and so it is without the key.
-  std::vector<std::string> names_or_all(const toml::table& sweep, std::string_view key,
-                                        const std::vector<std::string_view>& known) {
-    std::vector<std::string> all(known.begin(), known.end());
-    const toml::node* const node = sweep.get(key);
-    if (!node) return all;
-    std::vector<std::string> names;
-    const auto add = [&](const toml::node& one) {
-      const auto name = one.value_exact<std::string>();
-      if (!name) {
-        fail(one, fmt::format("{} must be strings in quotes", key));
-      } else if (*name != "all" && std::find(all.begin(), all.end(), *name) == all.end()) {
-        fail(one, fmt::format("unknown {} \"{}\"; built here: {}, all", key, *name, fmt::join(known, ", ")));
-      } else {
-        for (const std::string& each : *name == "all" ? all : std::vector<std::string>{*name}) {
-          if (std::find(names.begin(), names.end(), each) == names.end()) names.push_back(each);
-        }
-      }
-    };
-    if (const toml::array* const list = node->as_array()) {
-      if (list->empty()) fail(*node, fmt::format("{} is an empty list; name one value at least", key));
-      for (const toml::node& one : *list) add(one);
-    } else {
-      add(*node);
-    }
-    return names;
-  }
-
   AccuracyConfig& config_;
 };
 

@@ -27,7 +27,8 @@ class Parser : public TomlReader {
     config_.experiment = experiment_name(root);
     config_.title = text_or(root, "title", config_.experiment);
     if (const std::string kind = text_or(root, "kind", "picture"); kind != "picture") {
-      fail(root["kind"], fmt::format("unknown kind \"{}\"; built here: picture, accuracy, kernel", kind));
+      fail(root["kind"],
+           fmt::format("unknown kind \"{}\"; built here: picture, accuracy, kernel, pixels", kind));
     }
     if (const auto* scene = section(root, "scene")) read_scene(*scene);
     if (const auto* sweep = section(root, "sweep")) read_sweep(*sweep);

@@ -68,6 +68,55 @@ int TomlReader::integer_or(const toml::table& table, std::string_view key, int o
   return otherwise;
 }
 
+std::vector<double> TomlReader::numbers_or(const toml::table& table, std::string_view key, double otherwise,
+                                           double low, double high) {
+  const toml::node* const node = table.get(key);
+  if (!node) return {otherwise};
+  std::vector<double> numbers;
+  const auto add = [&](const toml::node& one) {
+    const auto number = one.is_number() ? one.value<double>() : std::nullopt;
+    if (number && *number >= low && *number <= high) {
+      if (std::ranges::find(numbers, *number) == numbers.end()) numbers.push_back(*number);
+    } else {
+      fail(one, fmt::format("{} must be numbers from {} to {}", key, low, high));
+    }
+  };
+  if (const toml::array* const list = node->as_array()) {
+    if (list->empty()) fail(*node, fmt::format("{} is an empty list; name one value at least", key));
+    for (const toml::node& one : *list) add(one);
+  } else {
+    add(*node);
+  }
+  return numbers;
+}
+
+std::vector<std::string> TomlReader::names_or_all(const toml::table& table, std::string_view key,
+                                                  const std::vector<std::string_view>& known) {
+  std::vector<std::string> all(known.begin(), known.end());
+  const toml::node* const node = table.get(key);
+  if (!node) return all;
+  std::vector<std::string> names;
+  const auto add = [&](const toml::node& one) {
+    const auto name = one.value_exact<std::string>();
+    if (!name) {
+      fail(one, fmt::format("{} must be strings in quotes", key));
+    } else if (*name != "all" && std::find(all.begin(), all.end(), *name) == all.end()) {
+      fail(one, fmt::format("unknown {} \"{}\"; built here: {}, all", key, *name, fmt::join(known, ", ")));
+    } else {
+      for (const std::string& each : *name == "all" ? all : std::vector<std::string>{*name}) {
+        if (std::find(names.begin(), names.end(), each) == names.end()) names.push_back(each);
+      }
+    }
+  };
+  if (const toml::array* const list = node->as_array()) {
+    if (list->empty()) fail(*node, fmt::format("{} is an empty list; name one value at least", key));
+    for (const toml::node& one : *list) add(one);
+  } else {
+    add(*node);
+  }
+  return names;
+}
+
 double TomlReader::duration_or(const toml::table& table, std::string_view key, double otherwise) {
   const toml::node* const node = table.get(key);
   if (!node) return otherwise;

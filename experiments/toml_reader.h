@@ -31,6 +31,12 @@ class TomlReader {
   std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise);
   double number_or(const toml::table& table, std::string_view key, double otherwise, double low, double high);
   int integer_or(const toml::table& table, std::string_view key, int otherwise, int low, int high);
+  /// A number or a list of them.
+  std::vector<double> numbers_or(const toml::table& table, std::string_view key, double otherwise, double low,
+                                 double high);
+  /// A name or a list of them, each once; "all" are those known, and so it is without the key.
+  std::vector<std::string> names_or_all(const toml::table& table, std::string_view key,
+                                        const std::vector<std::string_view>& known);
   /// In seconds.
   double duration_or(const toml::table& table, std::string_view key, double otherwise);
 

@@ -2,11 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/accuracy_verb.h"
 #include "experiments/errors.h"
-#include "experiments/kernel_verb.h"
+#include "experiments/studies.h"
 #include "experiments/verbs.h"
-#include "results/accuracy_results.h"
 #include "results/run_data.h"
 
 namespace raysweep {
@@ -16,11 +14,7 @@ namespace {
 int run(const std::vector<std::string>& folders, bool as_json) {
   auto json = nlohmann::json::array();
   for (const std::string& folder : folders) {
-    const std::string kind = run_kind(folder);
-    if (kind == "accuracy" || kind == "kernel") {
-      (kind == "accuracy" ? report_accuracy : report_kernels)(folder, as_json ? &json : nullptr);
-      continue;
-    }
+    if (report_study(folder, as_json ? &json : nullptr)) continue;
     const RunData data = read_run(folder);
     json.push_back({{"folder", folder}, {"rows", rows_as_json(data.rows, data.context.floor)}});
     if (!as_json) fmt::print("{}\n", tables_as_text(data.rows, data.context));

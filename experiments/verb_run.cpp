@@ -7,13 +7,12 @@
 #include <optional>
 #include <set>
 
-#include "experiments/accuracy_verb.h"
 #include "experiments/clock.h"
 #include "experiments/errors.h"
 #include "experiments/estimate.h"
 #include "experiments/interrupt.h"
-#include "experiments/kernel_verb.h"
 #include "experiments/runner.h"
+#include "experiments/studies.h"
 #include "experiments/verbs.h"
 #include "results/run_data.h"
 
@@ -29,11 +28,10 @@ struct RunOptions {
   bool resume = false, dry_run = false;
 };
 
-/// What the files ask for, by kind.
+/// What the files ask for.
 struct Configs {
   std::vector<Config> pictures;
-  std::vector<AccuracyConfig> accuracy;
-  std::vector<KernelConfig> kernels;
+  std::vector<std::unique_ptr<Study>> studies;
 };
 
 /// Where the run of an experiment goes.
@@ -51,21 +49,9 @@ std::filesystem::path folder_of(const std::string& experiment, const RunOptions&
 void read_config(Configs& configs, const std::string& file, const RunOptions& options,
                  const Machine& machine) {
   const std::string text = read_config_text(file);
-  if (is_accuracy(text, file, options.overrides)) {
-    AccuracyConfig config = parse_accuracy_config(text, file, options.overrides);
-    if (options.budget_minutes)
-      throw RequestError(fmt::format(
-          "{}: --budget is for pictures; every cell of an accuracy experiment is run once", file));
-    if (options.seed) config.settings.seed = *options.seed;
-    configs.accuracy.push_back(std::move(config));
-    return;
-  }
-  if (is_kernel(text, file, options.overrides)) {
-    const int processors = machine.topology.processors();
-    KernelConfig config = parse_kernel_config(text, file, options.overrides, processors);
-    if (options.budget_minutes) config.measure.budget_seconds = *options.budget_minutes * 60;
-    if (options.seed) config.measure.seed = *options.seed;
-    configs.kernels.push_back(std::move(config));
+  if (auto study =
+          read_study(text, file, {options.overrides, options.budget_minutes, options.seed}, machine)) {
+    configs.studies.push_back(std::move(study));
     return;
   }
   Config config = parse_config(text, file, options.overrides, machine.size());
@@ -165,8 +151,7 @@ void refuse_same_names(const Configs& configs) {
                                    file, experiment));
   };
   for (const Config& config : configs.pictures) add(config.experiment, config.file);
-  for (const AccuracyConfig& config : configs.accuracy) add(config.settings.experiment, config.file);
-  for (const KernelConfig& config : configs.kernels) add(config.experiment, config.file);
+  for (const auto& study : configs.studies) add(study->experiment(), study->file());
 }
 
 Configs read_configs(const RunOptions& options, const Machine& machine) {
@@ -251,16 +236,10 @@ void drop_unanswerable(std::vector<Config>& configs, nlohmann::json& json, bool 
 int run_configs(Configs configs, const RunOptions& options, const Machine& machine, nlohmann::json* json) {
   catch_interrupts();
   const std::vector<Experiment> pictures = prepare(std::move(configs.pictures), options, machine);
-  std::vector<AccuracyExperiment> accuracy;
-  for (const AccuracyConfig& config : configs.accuracy)
-    accuracy.push_back(
-        open_accuracy(config, folder_of(config.settings.experiment, options), machine, options.resume));
-  std::vector<KernelExperiment> kernels;
-  for (const KernelConfig& config : configs.kernels)
-    kernels.push_back(open_kernels(config, folder_of(config.experiment, options), machine, options.resume));
+  for (const auto& study : configs.studies)
+    study->open(folder_of(study->experiment(), options), machine, options.resume);
   int code = pictures.empty() ? exit_done : run_all(pictures, machine, json);
-  for (const AccuracyExperiment& experiment : accuracy) code = std::max(code, run_and_tell(experiment, json));
-  for (const KernelExperiment& experiment : kernels) code = std::max(code, run_and_tell(experiment, json));
+  for (const auto& study : configs.studies) code = std::max(code, study->run_and_tell(json));
   return code;
 }
 
@@ -275,8 +254,7 @@ int run(const RunOptions& options, bool as_json) {
   int code = exit_done;
   if (options.dry_run) {
     dry_run(configs.pictures, machine, json);
-    for (const AccuracyConfig& config : configs.accuracy) dry_run_accuracy(config, json);
-    for (const KernelConfig& config : configs.kernels) dry_run_kernels(config, json);
+    for (const auto& study : configs.studies) study->dry_run(json);
   } else {
     code = run_configs(std::move(configs), options, machine, json);
   }

@@ -14,17 +14,6 @@ namespace raysweep {
 
 namespace {
 
-RenderSettings settings_of(const Mode& mode, double scale) {
-  RenderSettings settings;
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
-  settings.width = scaled(mode.width);
-  settings.height = scaled(mode.height);
-  settings.subpixels = mode.subpixels;
-  settings.depth = mode.depth;
-  settings.core = "wide";
-  return settings;
-}
-
 /// The quickest of Embree's ways on a sixteenth of the tiles; the best of two runs after one to warm up.
 size_t quickest_way(const Scene& scene, const RenderSettings& settings, const EmbreePictures& embree) {
   constexpr size_t stride = 16;
@@ -104,11 +93,6 @@ PictureRow compare_with(int threads, const Scene& scene, const RenderSettings& s
   return row;
 }
 
-/// A scene file has no more lights than it holds; other scenes have as many as are asked for.
-Scene lit_scene(const std::string& name, int lights) {
-  return load_scene(name, name.ends_with(".toml") ? std::min(lights, own_light_count(name)) : lights);
-}
-
 }  // namespace
 
 const Mode& picture_mode(const std::string& name) {
@@ -119,11 +103,26 @@ const Mode& picture_mode(const std::string& name) {
   throw RequestError(fmt::format("no pictures of mode \"{}\"; possible: {}", name, names));
 }
 
+RenderSettings picture_settings(const Mode& mode, double scale) {
+  RenderSettings settings;
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
+  settings.width = scaled(mode.width);
+  settings.height = scaled(mode.height);
+  settings.subpixels = mode.subpixels;
+  settings.depth = mode.depth;
+  settings.core = "wide";
+  return settings;
+}
+
+Scene lit_scene(const std::string& name, int lights) {
+  return load_scene(name, name.ends_with(".toml") ? std::min(lights, own_light_count(name)) : lights);
+}
+
 std::vector<PictureRow> compare_pictures(const std::string& scene_name, const std::string& mode_name,
                                          const PicturesRequest& request, const EmbreePictures& embree) {
   const Mode& mode = picture_mode(mode_name);
   const Scene scene = lit_scene(scene_name, mode.lights);
-  const RenderSettings settings = settings_of(mode, request.scale);
+  const RenderSettings settings = picture_settings(mode, request.scale);
   const size_t way = quickest_way(scene, settings, embree);
   std::vector<PictureRow> rows;
   for (const int threads : picture_threads) {

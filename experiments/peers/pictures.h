@@ -34,6 +34,12 @@ struct PictureRow {
 /// Throws RequestError where there is no such mode.
 [[nodiscard]] const Mode& picture_mode(const std::string& name);
 
+/// What pictures of `mode` are made with: `scale` of its width and height, by the core "wide".
+[[nodiscard]] RenderSettings picture_settings(const Mode& mode, double scale);
+
+/// With `lights` lights; a scene file has no more than it holds. Throws SceneError.
+[[nodiscard]] Scene lit_scene(const std::string& name, int lights);
+
 /// The rows of one scene, whose triangles `embree` has, in one mode.
 [[nodiscard]] std::vector<PictureRow> compare_pictures(const std::string& scene, const std::string& mode,
                                                        const PicturesRequest& request,

@@ -80,7 +80,7 @@ TEST(config, each_bad_value_is_told_by_file_line_and_possible_values) {
   EXPECT_EQ(errors(head + "[measure]\ninterval = 2\n"),
             "sweep.toml:3: interval must be a number from 0.0001 to 1");
   EXPECT_EQ(errors(head + "kind = \"kernels\"\n"),
-            "sweep.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel");
+            "sweep.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel, pixels");
   EXPECT_EQ(errors(head + "[sweep]\nthreads = 0\n"),
             "sweep.toml:3: threads = 0 is out of range: a whole number from 1 to 1024 is possible");
   EXPECT_EQ(errors(head + "[sweep]\nthreads = [1, -1, 1000000000]\n"),

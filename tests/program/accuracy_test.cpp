@@ -143,8 +143,8 @@ TEST_F(AccuracyRun, bad_configs_are_refused_whole_with_file_line_and_possible_va
   refused(head + "[sweep]\nmethod = \"wlad\"\nvariant = \"full\"\n",
           "tiny.toml:6: unknown variant \"full\"; possible: base, star");
   refused("experiment = \"x\"\nkind = \"kernels\"\n",
-          "tiny.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel");
-  refused(tiny, "--budget is for pictures", {"--budget", "1"});
+          "tiny.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel, pixels");
+  refused(tiny, "--budget is not for an accuracy experiment", {"--budget", "1"});
 }
 
 TEST_F(AccuracyRun, is_not_compared_as_if_it_were_of_pictures) {

@@ -1,0 +1,173 @@
+#include "experiments/pixels_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "experiments/config_toml.h"
+#include "experiments/toml_reader.h"
+#include "tracer/scene/scenes.h"
+
+namespace raysweep {
+
+namespace {
+
+std::vector<std::string_view> names_of(std::span<const Choice> choices) {
+  std::vector<std::string_view> names;
+  for (const Choice& choice : choices) names.push_back(choice.name);
+  return names;
+}
+
+class Parser : public TomlReader {
+ public:
+  explicit Parser(PixelsConfig& config) : TomlReader(config.file), config_(config) {}
+
+  void read(const toml::table& root) {
+    check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
+    config_.settings.experiment = experiment_name(root);
+    config_.title = text_or(root, "title", config_.settings.experiment);
+    const toml::table none;
+    const toml::table* const sweep = section(root, "sweep");
+    read_sweep(sweep ? *sweep : none);
+    const toml::table* const measure = section(root, "measure");
+    read_measure(measure ? *measure : none);
+  }
+
+ private:
+  struct NamedScene {
+    std::string name, file;
+  };
+
+  void read_sweep(const toml::table& sweep) {
+    check_keys(sweep, "sweep.", {"scene", "offset", "mode", "core", "method", "precision"});
+    const std::vector<NamedScene> scenes = read_scenes(sweep);
+    // Coordinates beyond would not hold anything of a scene a few units large, even in double.
+    const std::vector<double> offsets = numbers_or(sweep, "offset", 0, -1e9, 1e9);
+    std::vector<std::string_view> mode_names;
+    for (const Mode& mode : modes()) mode_names.push_back(mode.name);
+    const auto chosen_modes =
+        sweep.contains("mode") ? names_or_all(sweep, "mode", mode_names) : std::vector<std::string>{"low"};
+    const std::vector<PixelsSubject> subjects = read_subjects(sweep);
+    for (const NamedScene& scene : scenes) {
+      for (const double offset : offsets) {
+        for (const std::string& mode : chosen_modes)
+          config_.groups.push_back({scene.name, mode, scene.file, offset, subjects});
+      }
+    }
+  }
+
+  std::vector<NamedScene> read_scenes(const toml::table& sweep) {
+    std::vector<NamedScene> scenes;
+    const auto add = [&](const toml::node& one) {
+      const auto name = one.value_exact<std::string>();
+      if (!name) {
+        fail(one, "scene must be strings in quotes");
+      } else if (std::ranges::find(scenes, *name, &NamedScene::name) == scenes.end()) {
+        scenes.push_back({*name, scene_file(one, *name)});
+      }
+    };
+    const toml::node* const node = sweep.get("scene");
+    if (!node) return {{"studio", "studio"}};
+    const toml::array* const list = node->as_array();
+    if (list && list->empty()) fail(*node, "scene is an empty list; name one value at least");
+    if (list) {
+      for (const toml::node& one : *list) add(one);
+    } else {
+      add(*node);
+    }
+    return scenes;
+  }
+
+  /// A built-in scene's name as it is; a file from where the config is.
+  std::string scene_file(const toml::node& node, const std::string& name) {
+    if (std::ranges::find(built_in_scenes(), name, &BuiltInScene::name) != built_in_scenes().end())
+      return name;
+    std::string file = (std::filesystem::path(config_.file).parent_path() / name).string();
+    try {
+      (void)own_light_count(file);
+    } catch (const SceneError& error) {
+      fail(node, error.what());
+    }
+    return file;
+  }
+
+  std::vector<PixelsSubject> read_subjects(const toml::table& sweep) {
+    std::vector<PixelsSubject> subjects;
+    const auto chosen_methods = names_or_all(sweep, "method", names_of(methods()));
+    const auto chosen_precisions = names_or_all(sweep, "precision", names_of(precisions()));
+    for (const std::string& core : names_or_all(sweep, "core", names_of(cores()))) {
+      for (const std::string& precision : chosen_precisions) {
+        if (core == "wide" && precision != "float") {
+          config_.left_out.push_back("core wide in " + precision + ": it has floats alone");
+          continue;
+        }
+        for (const std::string& method : chosen_methods) subjects.push_back({core, method, precision});
+      }
+    }
+    if (subjects.empty() && errors().empty())
+      fail(sweep, fmt::format("nothing is left to run: {}", fmt::join(config_.left_out, "; ")));
+    return subjects;
+  }
+
+  void read_measure(const toml::table& measure) {
+    check_keys(measure, "measure.", {"scale", "rounds", "seconds", "seed"});
+    PixelsSettings& s = config_.settings;
+    s.scale = number_or(measure, "scale", s.scale, 0.01, 10);
+    s.rounds = integer_or(measure, "rounds", s.rounds, 1, 10'000);
+    s.seconds = number_or(measure, "seconds", s.seconds, 0, 3600);
+    s.seed = static_cast<uint64_t>(integer_or(measure, "seed", 1, 0, 1 << 30));
+  }
+
+  PixelsConfig& config_;
+};
+
+}  // namespace
+
+size_t PixelsConfig::cell_count() const {
+  size_t count = 0;
+  for (const PixelsGroup& group : groups) count += group.subjects.size();
+  return count;
+}
+
+std::string cell_key(const PixelsGroup& group, const PixelsSubject& subject) {
+  return fmt::format("{}{}/{}/{}/{}/{}", group.scene,
+                     group.offset == 0 ? "" : fmt::format("{:+g}", group.offset), group.mode, subject.core,
+                     subject.method, subject.precision);
+}
+
+bool is_pixels(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
+  return read_toml(text, file, overrides)["kind"].value<std::string>() == "pixels";
+}
+
+PixelsConfig parse_pixels_config(const std::string& text, const std::string& file,
+                                 const std::vector<std::string>& overrides) {
+  PixelsConfig config;
+  config.file = file;
+  config.text = text;
+  const toml::table root = read_toml(text, file, overrides);
+  if (!overrides.empty()) config.text = to_text(root);
+  Parser parser(config);
+  parser.read(root);
+  parser.refuse_errors();
+  return config;
+}
+
+nlohmann::json to_json(const PixelsConfig& config) {
+  nlohmann::json json{{"experiment", config.settings.experiment},
+                      {"title", config.title},
+                      {"kind", "pixels"},
+                      {"seed", config.settings.seed},
+                      {"scale", config.settings.scale},
+                      {"rounds", config.settings.rounds},
+                      {"seconds", config.settings.seconds},
+                      {"cells", nlohmann::json::array()},
+                      {"left_out", config.left_out}};
+  for (const PixelsGroup& group : config.groups) {
+    for (const PixelsSubject& subject : group.subjects) json["cells"].push_back(cell_key(group, subject));
+  }
+  return json;
+}
+
+}  // namespace raysweep

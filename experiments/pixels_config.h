@@ -1,0 +1,58 @@
+// An experiment of the kind "pixels" as its file states it, and what it asks for.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "tracer/settings.h"
+
+namespace raysweep {
+
+struct PixelsSettings {
+  std::string experiment;
+  double scale = 0.5;    // of the modes' width and height
+  int rounds = 7;        // fewer than six have no interval
+  double seconds = 0.1;  // of a cell in a round, and one frame at least
+  uint64_t seed = 1;     // of the order in rounds
+};
+
+/// One way to make a picture: names as the command line has them.
+struct PixelsSubject {
+  std::string core, method, precision;
+};
+
+/// One picture, and all that make it.
+struct PixelsGroup {
+  std::string scene, mode;  // the scene's name or file, as the config has it
+  std::string scene_file;   // what to load: from the config's folder
+  double offset = 0;        // how far it is moved along each axis
+  std::vector<PixelsSubject> subjects{};
+};
+
+struct PixelsConfig {
+  std::string file, text;  // text as run: with what --set changed
+  std::string title;
+  PixelsSettings settings;
+  std::vector<PixelsGroup> groups;    // scene by scene, offset by offset, mode by mode
+  std::vector<std::string> left_out;  // subjects that do not exist, each with its reason
+
+  [[nodiscard]] size_t cell_count() const;
+};
+
+/// "studio+10000/low/scalar/moller_trumbore/float"
+[[nodiscard]] std::string cell_key(const PixelsGroup& group, const PixelsSubject& subject);
+
+/// Whether a config is of this kind. Throws RequestError for what is no TOML.
+[[nodiscard]] bool is_pixels(const std::string& text, const std::string& file,
+                             const std::vector<std::string>& overrides);
+
+/// Without [sweep]: the scene "studio" where it is, in the mode "low", by all methods, cores and precisions.
+/// Throws RequestError with one line per error.
+[[nodiscard]] PixelsConfig parse_pixels_config(const std::string& text, const std::string& file,
+                                               const std::vector<std::string>& overrides);
+
+/// plan.json: the key of every cell, in order; what is left out and why; how it is measured.
+[[nodiscard]] nlohmann::json to_json(const PixelsConfig& config);
+
+}  // namespace raysweep

@@ -1,0 +1,25 @@
+// The tables of a pixels experiment: pure functions of what was recorded.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/pixels_results.h"
+#include "results/tables/table.h"
+
+namespace raysweep {
+
+/// Wrong pixels in colour with FLIP beside the nanoseconds of a ray: one row a cell.
+[[nodiscard]] Table pixels_table(const std::vector<PixelsRow>& rows);
+
+/// For programs: one row a cell, every number unrounded.
+[[nodiscard]] Table pixels_data(const std::vector<PixelsRow>& rows);
+
+/// What a terminal should show.
+[[nodiscard]] std::string pixels_tables_as_text(const PixelsData& data);
+
+/// Writes pixels.md, pixels.csv and cells.csv into `folder`, which is made.
+void write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder);
+
+}  // namespace raysweep
