@@ -7,12 +7,14 @@
 
 #include "experiments/config_toml.h"
 #include "experiments/toml_reader.h"
+#include "schedulers/binding.h"
 
 namespace raysweep {
 
 namespace {
 
-constexpr int most_rays = 10'000'000;  // of one cell: with all that is known of them they take 4 GB
+constexpr int most_rays = 10'000'000;  // of one cell: with all that is known of them they take 4 GB a thread
+constexpr int most_threads = 1024;     // as of pictures
 
 std::vector<std::string_view> case_ids() {
   std::vector<std::string_view> ids;
@@ -50,9 +52,10 @@ class Parser : public TomlReader {
   }
 
   void read_measure(const toml::table& measure) {
-    check_keys(measure, "measure.", {"trials", "seed"});
+    check_keys(measure, "measure.", {"trials", "seed", "threads"});
     config_.settings.ray_count = static_cast<size_t>(integer_or(measure, "trials", 10'000, 1, most_rays));
     config_.settings.seed = static_cast<uint64_t>(integer_or(measure, "seed", 1, 0, 1 << 30));
+    if (measure.contains("threads")) config_.threads = integer_or(measure, "threads", 1, 1, most_threads);
   }
 
   AccuracyConfig& config_;
@@ -98,7 +101,9 @@ size_t AccuracyPlan::cell_count() const {
 }
 
 AccuracyPlan make_plan(const AccuracyConfig& config) {
-  AccuracyPlan plan{config.title, config.settings, {}, {}};
+  const size_t threads =
+      config.threads > 0 ? static_cast<size_t>(config.threads) : allowed_processors().size();
+  AccuracyPlan plan{config.title, config.settings, threads, {}, {}};
   const auto of_floats = chosen_subjects<float>(config), of_doubles = chosen_subjects<double>(config);
   for (const std::string& id : config.cases) {
     const Case& one = case_of(id);

@@ -17,6 +17,7 @@ struct AccuracyConfig {
   std::vector<std::string> methods, cases;  // names, as listed
   std::vector<Precision> precisions;
   bool star = false;  // all variants that differ from the base in one factor; else the base alone
+  int threads = 0;    // 0: as many as there are processors that this process may use
 };
 
 /// Whether a config is of this kind. Throws RequestError for what is no TOML.
@@ -32,15 +33,18 @@ struct AccuracyConfig {
 struct AccuracyPlan {
   std::string title;
   AccuracySettings settings;
+  size_t threads;  // to run batches on, which changes no record
   std::vector<AccuracyBatch> batches;
   std::vector<Inapplicable> left_out;  // variants that were asked for, which their methods do not have
 
   [[nodiscard]] size_t cell_count() const;
 };
 
+/// Throws std::system_error if threads are not given and the system does not tell its processors.
 [[nodiscard]] AccuracyPlan make_plan(const AccuracyConfig& config);
 
-/// plan.json: the key of every cell, in order; what is left out and why; the seed.
+/// plan.json: the key of every cell, in order; what is left out and why; the seed. Not the threads: a run may
+/// be taken up on others.
 [[nodiscard]] nlohmann::json to_json(const AccuracyPlan& plan);
 
 }  // namespace raysweep

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "experiments/clock.h"
 #include "experiments/errors.h"
+#include "experiments/in_order.h"
 #include "experiments/interrupt.h"
 #include "experiments/progress.h"
 
@@ -41,6 +43,11 @@ std::string to_lines(const std::vector<AccuracyRecord>& records) {
   return lines;
 }
 
+std::string name_of(const AccuracyBatch& batch) {
+  return fmt::format("{} at {}, {}", batch.one->id, batch.one->difficulties[batch.level],
+                     name_of(batch.precision));
+}
+
 }  // namespace
 
 AccuracyExperiment open_accuracy(const AccuracyConfig& config, const std::filesystem::path& folder,
@@ -56,21 +63,40 @@ AccuracyReport run_accuracy(const AccuracyExperiment& experiment, bool quiet) {
   const std::set<std::string> finished = finished_cells(*experiment.files);
   AccuracyReport report;
   report.cells = finished.size();
+  std::vector<AccuracyBatch> batches;
+  for (const AccuracyBatch& batch : plan.batches) {
+    AccuracyBatch rest = missing_of(batch, finished);
+    if (!rest.subjects.empty()) batches.push_back(std::move(rest));
+  }
   const int total = static_cast<int>(plan.cell_count() - finished.size());
   Progress progress("cells", now_seconds(), std::numeric_limits<double>::infinity(), quiet);
-  try {
-    for (const AccuracyBatch& batch : plan.batches) {
-      const AccuracyBatch rest = missing_of(batch, finished);
-      if (rest.subjects.empty()) continue;
+  const auto show = [&](size_t next) {
+    if (next < batches.size())
       progress.show(static_cast<int>(report.cells - finished.size()), total, now_seconds(),
-                    fmt::format("{} at {}, {}", rest.one->id, rest.one->difficulties[rest.level],
-                                name_of(rest.precision)));
-      const std::vector<AccuracyRecord> records = run_batch(rest, plan.settings, interrupted);
-      if (!records.empty()) experiment.files->append_text(to_lines(records), "cells");
-      report.cells += records.size();
-      report.was_interrupted = records.size() < rest.subjects.size();
-      if (report.was_interrupted) break;
-    }
+                    name_of(batches[next]));
+  };
+  std::atomic<bool> failed = false;
+  const auto compute = [&](size_t i) {
+    return run_batch(batches[i], plan.settings, [&] { return interrupted() || failed; });
+  };
+  const auto keep = [&](size_t i, const std::vector<AccuracyRecord>& records) {
+    if (!records.empty()) experiment.files->append_text(to_lines(records), "cells");
+    report.cells += records.size();
+    report.was_interrupted = records.size() < batches[i].subjects.size();
+    show(i + 1);
+    return !report.was_interrupted;
+  };
+  show(0);
+  try {
+    work_in_order(batches.size(), plan.threads, compute,
+                  [&](size_t i, const std::vector<AccuracyRecord>& records) {
+                    try {
+                      return keep(i, records);
+                    } catch (const WorkError&) {
+                      failed = true;
+                      throw;
+                    }
+                  });
   } catch (const WorkError& error) {
     report.failure = error.what();
   }
@@ -83,8 +109,9 @@ double estimate_seconds(const AccuracyPlan& plan) {
     AccuracySettings settings = plan.settings;
     settings.ray_count = ray_count;
     const double start = now_seconds();
-    for (size_t i = 0; i < plan.batches.size(); i += 4)
-      (void)run_batch(plan.batches[i], settings, interrupted);
+    work_in_order((plan.batches.size() + 3) / 4, plan.threads,
+                  [&](size_t i) { return run_batch(plan.batches[4 * i], settings, interrupted); },
+                  [](size_t, const std::vector<AccuracyRecord>&) { return true; });
     return 4 * (now_seconds() - start);
   };
   (void)time_of(few);  // what is made once
@@ -96,8 +123,9 @@ double estimate_seconds(const AccuracyPlan& plan) {
 }
 
 std::string plan_as_text(const AccuracyPlan& plan) {
-  std::string text = fmt::format("{}: {}\n{} cells of {} rays each; seed {}\n", plan.settings.experiment,
-                                 plan.title, plan.cell_count(), plan.settings.ray_count, plan.settings.seed);
+  std::string text =
+      fmt::format("{}: {}\n{} cells of {} rays each; seed {}; threads: {}\n", plan.settings.experiment,
+                  plan.title, plan.cell_count(), plan.settings.ray_count, plan.settings.seed, plan.threads);
   for (const AccuracyBatch& batch : plan.batches) {
     for (const size_t subject : batch.subjects) text += cell_key(batch, subject) + "\n";
   }

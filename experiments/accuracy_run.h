@@ -27,14 +27,15 @@ struct AccuracyReport {
   std::string failure;  // empty, or why records could not be written
 };
 
-/// Runs the cells that the folder lacks, one after the other; `quiet` keeps progress to itself. Ends early
-/// when the program is interrupted. Records are written whenever one case at one difficulty is through.
+/// Runs the cells that the folder lacks, on the plan's threads; `quiet` keeps progress to itself. Ends early
+/// when the program is interrupted. Records are written in the plan's order, whenever one case at one
+/// difficulty and all before it are through. Throws std::system_error if the system has no more threads.
 [[nodiscard]] AccuracyReport run_accuracy(const AccuracyExperiment& experiment, bool quiet);
 
 /// What `--dry-run` tells: every cell, what is left out, and how long all might take.
 [[nodiscard]] std::string plan_as_text(const AccuracyPlan& plan);
 
-/// Seconds for all cells on one thread, from a run of some of them with few rays.
+/// Seconds for all cells on the plan's threads, from a run of some of them with few rays on as many.
 [[nodiscard]] double estimate_seconds(const AccuracyPlan& plan);
 
 }  // namespace raysweep

@@ -73,6 +73,7 @@ void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json) {
   const AccuracyPlan plan = make_plan(config);
   if (json) {
     json->push_back(to_json(plan));
+    json->back()["threads"] = plan.threads;
     json->back()["estimate_seconds"] = estimate_seconds(plan);
     return;
   }

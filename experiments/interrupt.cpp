@@ -1,5 +1,6 @@
 #include "experiments/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <initializer_list>
 
@@ -7,13 +8,15 @@ namespace raysweep {
 
 namespace {
 
-volatile std::sig_atomic_t caught = 0;
+/// Read by any thread; written by a handler, which may do so because no lock is behind it.
+std::atomic<bool> caught = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 }  // namespace
 
 void catch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = [](int) { caught = 1; };
+  action.sa_handler = [](int) { caught = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
     sigaction(signal, nullptr, &old);
@@ -24,6 +27,6 @@ void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool interrupted() { return caught != 0; }
+bool interrupted() { return caught; }
 
 }  // namespace raysweep

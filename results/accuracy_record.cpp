@@ -31,7 +31,9 @@ template <class Each>
 void for_each_field(Each&& each) {
   using R = AccuracyRecord;
   each("schema", &R::schema), each("kind", &R::kind), each("experiment", &R::experiment);
-  each("cell", &R::cell), each("seed", &R::seed), each("method", &R::method), each("change", &R::change);
+  each("cell", &R::cell), each("launch", &R::launch), each("round", &R::round), each("seed", &R::seed);
+  each("valid", &R::valid), each("reason", &R::reason);
+  each("method", &R::method), each("change", &R::change);
   each("variant", &R::variant), each("precision", &R::precision), each("case", &R::case_id);
   each("difficulty_of", &R::difficulty_of), each("difficulty", &R::difficulty), each("level", &R::level);
   each("rays", &R::rays), each("mesh_rays", &R::mesh_rays), each("trials", &R::trials);

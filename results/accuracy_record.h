@@ -12,7 +12,8 @@
 
 namespace raysweep {
 
-inline constexpr int accuracy_schema = 1;
+/// 2 adds launch, round, valid and reason, which records of every kind have.
+inline constexpr int accuracy_schema = 2;
 
 /// The factors of a variant, by the names that the study has for their values.
 struct VariantRecord {
@@ -28,10 +29,16 @@ struct ErrorRecord {
 
 /// Counts are of trials, a ray with one triangle each, or of rays, where they say so. By the oracle a trial
 /// is a hit, a miss or a boundary, for which either answer is right.
+///
+/// Of what records of every kind have, `machine` is left to machine.json: a load or a clock frequency in it
+/// would differ from one run to the next, and the same seed gives the same bytes.
 struct AccuracyRecord {
   int schema = accuracy_schema;
   std::string kind = "accuracy", experiment, cell;
+  int launch = 0, round = 0;  // always 0: each cell is run once, and again it would count the same
   uint64_t seed = 0;
+  bool valid = true;           // always: what stops a cell leaves no record of it
+  std::string reason;          // empty
   std::string method, change;  // what differs from the method's base variant: "division=late"; else "base"
   VariantRecord variant;
   std::string precision, case_id, difficulty_of;  // what the difficulty is, and its unit

@@ -61,7 +61,7 @@ AccuracyRecord blank_record(const AccuracyBatch& batch, const AccuracySettings& 
 
 template <class T>
 std::vector<AccuracyRecord> records_of(const AccuracyBatch& batch, const AccuracySettings& settings,
-                                       bool (*stops)()) {
+                                       const std::function<bool()>& stops) {
   std::vector<AccuracyRecord> records;
   if (batch.subjects.empty() || stops()) return records;
   const JudgedTrials<T> judged(*batch.one, batch.one->difficulties[batch.level], settings.seed,
@@ -102,7 +102,7 @@ std::string cell_key(const AccuracyBatch& batch, size_t subject) {
 }
 
 std::vector<AccuracyRecord> run_batch(const AccuracyBatch& batch, const AccuracySettings& settings,
-                                      bool (*stops)()) {
+                                      const std::function<bool()>& stops) {
   return batch.precision == Precision::float_precision ? records_of<float>(batch, settings, stops)
                                                        : records_of<double>(batch, settings, stops);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,9 @@ struct AccuracySettings {
 [[nodiscard]] std::string cell_key(const AccuracyBatch& batch, size_t subject);
 
 /// The records of a batch, in the order of its subjects. Once `stops()` is true, the rest is left out.
+/// Batches may be run at the same time.
 [[nodiscard]] std::vector<AccuracyRecord> run_batch(const AccuracyBatch& batch,
-                                                    const AccuracySettings& settings, bool (*stops)());
+                                                    const AccuracySettings& settings,
+                                                    const std::function<bool()>& stops);
 
 }  // namespace raysweep

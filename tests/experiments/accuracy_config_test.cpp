@@ -7,6 +7,7 @@
 #include <set>
 
 #include "experiments/errors.h"
+#include "schedulers/binding.h"
 
 namespace raysweep {
 namespace {
@@ -34,19 +35,21 @@ TEST(accuracy_config, asks_for_everything_in_base_variants_unless_told_otherwise
   EXPECT_FALSE(config.star);
   EXPECT_EQ(config.settings.ray_count, 10'000u);
   EXPECT_EQ(config.settings.experiment, "x");
+  EXPECT_EQ(make_plan(config).threads, allowed_processors().size());
 }
 
 TEST(accuracy_config, takes_lists_single_names_and_all_each_once) {
   const AccuracyConfig config =
       parse(head +
             "[sweep]\nmethod = [\"wald\", \"plucker\", \"wald\"]\ncase = \"D1\"\nprecision = \"double\"\n"
-            "variant = \"star\"\n[measure]\ntrials = 77\nseed = 9\n");
+            "variant = \"star\"\n[measure]\ntrials = 77\nseed = 9\nthreads = 3\n");
   EXPECT_EQ(config.methods, (std::vector<std::string>{"wald", "plucker"}));
   EXPECT_EQ(config.cases, (std::vector<std::string>{"D1"}));
   EXPECT_EQ(config.precisions, (std::vector<Precision>{Precision::double_precision}));
   EXPECT_TRUE(config.star);
   EXPECT_EQ(config.settings.ray_count, 77u);
   EXPECT_EQ(config.settings.seed, 9u);
+  EXPECT_EQ(make_plan(config).threads, 3u);
   EXPECT_EQ(parse(head + "[sweep]\ncase = [\"D1\", \"all\"]\n").cases.size(), all_cases().size());
 }
 
@@ -68,7 +71,7 @@ TEST(accuracy_config, each_bad_value_is_told_by_file_line_and_possible_values_al
             "a.toml:7: method is an empty list; name one value at least\n"
             "a.toml:4: unknown precision \"half\"; built here: float, double, all\n"
             "a.toml:5: unknown variant \"full\"; possible: base, star\n"
-            "a.toml:10: unknown key \"measure.launches\"; possible: trials, seed\n"
+            "a.toml:10: unknown key \"measure.launches\"; possible: trials, seed, threads\n"
             "a.toml:9: trials must be a whole number from 1 to 10000000");
   EXPECT_EQ(
       errors(head + "[sweep]\nmethod = [\"wald\",\n\"wlad\"]\ncase = 3\n"),

@@ -40,10 +40,11 @@ TEST(accuracy_record, without_errors_has_null_quantiles_and_reads_them_as_nan) {
 
 TEST(accuracy_record, has_the_fields_of_its_interface) {
   const nlohmann::json json = to_json(made_up("wald", "W1", 0));
-  for (const char* name : {"schema",     "kind",         "experiment", "cell",        "seed",     "method",
-                           "variant",    "precision",    "case",       "difficulty",  "trials",   "rays",
-                           "false_hits", "false_misses", "boundary",   "missed_rays", "extra",    "uncovered",
-                           "nonfinite",  "t_error",      "uv_error",   "consistency", "off_plane"})
+  for (const char* name :
+       {"schema",    "kind",        "experiment", "cell",      "seed",        "method",     "variant",
+        "precision", "case",        "difficulty", "trials",    "rays",        "false_hits", "false_misses",
+        "boundary",  "missed_rays", "extra",      "uncovered", "launch",      "round",      "valid",
+        "reason",    "nonfinite",   "t_error",    "uv_error",  "consistency", "off_plane"})
     EXPECT_TRUE(json.contains(name)) << name;
   for (const char* factor : {"division", "reciprocal", "order", "edges", "early_out", "output", "data"})
     EXPECT_TRUE(json["variant"].contains(factor)) << factor;
@@ -62,8 +63,8 @@ TEST(accuracy_record, of_another_kind_or_schema_is_refused_with_its_line) {
     }
     return "";
   };
-  EXPECT_EQ(refusal("schema", 2),
-            file.string() + ":2: not a record: schema 2 is unknown here; this version reads 1");
+  EXPECT_EQ(refusal("schema", 1),
+            file.string() + ":2: not a record: schema 1 is unknown here; this version reads 2");
   EXPECT_EQ(refusal("kind", "picture"),
             file.string() + ":2: not a record: kind \"picture\" where \"accuracy\" was expected");
   std::filesystem::remove(file);
