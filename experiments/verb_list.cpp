@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/intersection/case.h"
+#include "experiments/intersection/tracer_cases.h"
 #include "experiments/item.h"
 #include "experiments/verbs.h"
 #include "schedulers/placement.h"
@@ -101,6 +102,7 @@ nlohmann::json list_isas() {
   return list;
 }
 
+/// Those of the study, then those that tests of the tracer judge.
 nlohmann::json list_cases() {
   nlohmann::json list;
   for (const Case& one : all_cases()) {
@@ -109,6 +111,13 @@ nlohmann::json list_cases() {
     list.back()["source"] = one.source;
     list.back()["difficulty"] = one.difficulty;
     list.back()["difficulties"] = one.difficulties;
+  }
+  for (const TracerCase& one : tracer_cases()) {
+    list.push_back(
+        entry(one.id, fmt::format("{} ({}); checked in {}", one.title, one.source, one.checked_in)));
+    list.back()["title"] = one.title;
+    list.back()["source"] = one.source;
+    list.back()["checked_in"] = one.checked_in;
   }
   return list;
 }

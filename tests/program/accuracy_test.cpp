@@ -1,11 +1,13 @@
 // Accuracy experiments, as a user runs them.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/program/processes.h"
 #include "tests/program/program.h"
@@ -176,6 +178,25 @@ TEST(list_cases, tells_title_source_and_difficulties_of_each) {
   EXPECT_EQ(cases[0].at("title"), "shared edge of a closed mesh");
   EXPECT_EQ(cases[0].at("source"), "Woop, Benthin & Wald 2013");
   EXPECT_EQ(cases[0].at("difficulties").size(), 5u);
+}
+
+TEST(list_cases, has_the_whole_catalogue_each_case_once_and_tests_named_after_those_of_the_tracer) {
+  std::multiset<std::string> ids;
+  for (const auto& one : nlohmann::json::parse(run_program({"list", "cases", "--json"}).out)) {
+    const std::string id = one.at("name");
+    ids.insert(id);
+    EXPECT_EQ(one.at("available"), true) << id;
+    EXPECT_NE(one.at("summary"), "") << id;
+    if (!one.contains("checked_in")) continue;
+    const std::string test = read_file(RAYSWEEP_SOURCE_DIR "/" + one["checked_in"].get<std::string>());
+    std::string name = id + "_";
+    name[0] = static_cast<char>(std::tolower(name[0]));
+    EXPECT_NE(test.find(name), std::string::npos) << id;
+  }
+  for (const auto& [letter, count] :
+       {std::pair("W", 8), {"S", 4}, {"F", 3}, {"D", 5}, {"N", 8}, {"P", 3}, {"V", 2}, {"I", 1}}) {
+    for (int i = 1; i <= count; ++i) EXPECT_EQ(ids.count(letter + std::to_string(i)), 1u) << letter << i;
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Rays know the media they are in, however these lie: nested, touching, overlapping.
+// Rays know the media they are in, however these lie: nested, touching, overlapping. Case I1 of the failure
+// catalogue.
 #include "tracer/shade/media.h"
 
 #include <gtest/gtest.h>
@@ -152,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(media, Arrangements,
                            return name;
                          });
 
-TEST_P(Arrangements, every_path_that_leaves_is_outside_of_all_media) {
+TEST_P(Arrangements, i1_every_path_that_leaves_is_outside_of_all_media) {
   for_each_method([&](auto method) {
     for (const WalkCounts& counts : {walk<float, decltype(method)>(arrangement(GetParam()), path_count),
                                      walk<double, decltype(method)>(arrangement(GetParam()), path_count)}) {

@@ -141,8 +141,9 @@ TEST(wide_core, agrees_in_a_hierarchy_as_deep_as_they_get) {
   });
 }
 
-/// Where floats alone cannot decide: exactly at edges and corners, and beside them by rounding.
-TEST(wide_core, agrees_at_edges_and_corners) {
+/// Case W8 of the failure catalogue, where floats alone cannot decide: exactly at edges and corners, and
+/// beside them by rounding. The kernels use multiply-adds where an instruction set has them.
+TEST(wide_core, w8_agrees_at_edges_and_corners_on_every_instruction_set) {
   std::mt19937 random(3);
   const Scene scene = scene_of({sheet(16, 0, random), rough_sphere(16, 16, random)});
   std::vector<TestRay<float>> rays;
