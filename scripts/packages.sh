@@ -5,7 +5,9 @@ build_packages=(g++ cmake ninja-build pkg-config libfmt-dev libtomlplusplus-dev 
   libxxhash-dev libstb-dev libopenexr-dev libboost-dev libeigen3-dev libhwy-dev libgmp-dev)
 # Each of these may be missing; what it brings is then missing too. OpenMP on libgomp comes with g++; clang and libomp-dev
 # build the same schedulers for LLVM's runtime. zlib1g-dev is Assimp's: its package links to it without depending on it.
-optional_packages=(libtbb-dev clang libomp-dev libassimp-dev zlib1g-dev libbenchmark-dev libembree-dev)
+# Python's two draw the charts of scripts/chart_study.
+optional_packages=(libtbb-dev clang libomp-dev libassimp-dev zlib1g-dev libbenchmark-dev libembree-dev
+  python3-matplotlib python3-jinja2)
 test_packages=(libgtest-dev)
 # What .ci/run checks beyond the tests.
 check_packages=(clang-format clang-tidy)
