@@ -80,7 +80,7 @@ def map_chart(name, records, scenes):
     figure.suptitle(title, x=0.01, ha="left")
     named = ", ".join(scene["scene"] for scene in scenes)
     points = f" Points: triangles of {named}, drawn at random from all of theirs." if scenes else " No scene's triangles were recorded."
-    text = "Share of the oracle's hits that the method misses, over two difficulties. Pale: none was seen." + points
+    text = "Share of the oracle's hits that the method misses, over two difficulties. Pale: none was seen; blank: nothing to hit. Where a precision is too coarse for such triangles, it is what it makes of them that is judged." + points
     return Chart(f"map-{name}", title, text, figure)
 
 
