@@ -188,7 +188,7 @@ PixelsReport run_pixels(const PixelsExperiment& experiment, bool quiet) {
         if (!records.empty()) experiment.files->append_text(to_lines(records), "rounds");
         report.records += records.size();
         for (const PixelsRecord& record : records) report.void_records += !record.valid;
-        report.was_interrupted = interrupted();
+        report.was_interrupted = interrupted() && report.records < static_cast<size_t>(total);
       }
     }
   } catch (const std::runtime_error& error) {
