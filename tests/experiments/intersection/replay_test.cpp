@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "tests/tracer/hit_rays.h"
 #include "tracer/scene/scenes.h"
 
 namespace raysweep {
 namespace {
 
-constexpr int width = 48, height = 36;
+constexpr int width = 32, height = 24;
 
 class Replay : public testing::Test {
  public:
@@ -62,6 +65,31 @@ TEST_F(Replay, stops_shadow_rays_where_the_tracer_does) {
     occluded += nearest[i].has_value();
   }
   EXPECT_GT(occluded, 10u);
+}
+
+TEST_F(Replay, a_visit_ends_at_the_nearest_hit_so_far) {
+  Work<float> work = recorded(RayKind::diffuse);
+  const auto visits = std::exchange(work.visits, {});
+  std::vector<float> so_far(work.rays.size(), std::numeric_limits<float>::infinity());
+  size_t shortened = 0;
+  for (const Visit<float>& visit : visits) {
+    float& nearest = so_far[visit.first_ray];
+    EXPECT_EQ(visit.t_max, nearest);
+    shortened += std::isfinite(visit.t_max);
+    work.visits = {visit};
+    nearest = nearest_hits(work)[visit.first_ray].value_or(nearest);
+  }
+  EXPECT_GT(shortened, 50u);
+}
+
+TEST_F(Replay, a_shadow_ray_visits_nothing_after_its_first_hit) {
+  Work<float> work = recorded(RayKind::shadow);
+  const auto visits = std::exchange(work.visits, {});
+  for (size_t i = 0; i + 1 < visits.size(); ++i) {
+    if (visits[i].first_ray != visits[i + 1].first_ray) continue;
+    work.visits = {visits[i]};
+    EXPECT_FALSE(nearest_hits(work)[visits[i].first_ray]);
+  }
 }
 
 TEST_F(Replay, does_as_many_tests_as_the_tracer) {
