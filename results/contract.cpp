@@ -77,7 +77,7 @@ Clause clause_from(const std::string& line) {
 std::string to_line(const Clause& c) {
   std::string line =
       fmt::format("{},{},{},{},{},{}", c.method, c.change, c.precision, c.case_id, c.seed, c.rays);
-  for (const auto& levels : c.failures) line += "," + (is_never(levels) ? "never" : to_text(levels));
+  for (const auto& levels : c.failures) line.append(",").append(is_never(levels) ? "never" : to_text(levels));
   std::vector<std::string> classes;
   for (const int k : c.t_error_classes) classes.push_back(k == unstated ? "-" : std::to_string(k));
   return line + "," + to_text(classes) + "\n";
