@@ -191,10 +191,9 @@ std::string_view name_of(Outcome outcome) {
 std::vector<Judgement> judge(const AccuracyRecord& record, const Clause& clause) {
   const auto level = static_cast<size_t>(record.level);
   std::vector<Judgement> judgements;
-  if (level >= clause.t_error_classes.size()) return judgements;
+  if (level >= clause.t_error_classes.size() || record.seed != clause.seed) return judgements;
   // The estimate that Newton's step starts from is the processor's own.
-  const bool is_same_run =
-      record.seed == clause.seed && record.rays == clause.rays && record.variant.reciprocal == "exact";
+  const bool is_same_run = record.rays == clause.rays && record.variant.reciprocal == "exact";
   const auto n = static_cast<double>(clause.rays), m = static_cast<double>(record.rays);
   const auto counts = failure_counts(record);
   for (size_t i = 0; i < counts.size(); ++i) {

@@ -70,10 +70,11 @@ struct Judgement {
   Outcome outcome{};
 };
 
-/// All that the clause states of the record's level; empty if it does not know the level. With the clause's
-/// own seed and number of rays every difference counts, unless an estimate of 1/det is the processor's own.
-/// Else rays break a promise if failures are more than twice as frequent, and by five standard deviations;
-/// likewise better; of classes of t two make a difference: other seeds make other meshes.
+/// All that the clause states of the record's level; empty if it does not know the level, or the record has
+/// another seed: that draws other meshes, of which some are harder. With the clause's own number of rays
+/// every difference counts, unless an estimate of 1/det is the processor's own. Else rays break a promise if
+/// failures are more than twice as frequent, and by five standard deviations; likewise better; of classes of
+/// t two make a difference.
 [[nodiscard]] std::vector<Judgement> judge(const AccuracyRecord& record, const Clause& clause);
 
 }  // namespace raysweep

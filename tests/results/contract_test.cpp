@@ -101,11 +101,18 @@ TEST(contracts, of_other_rays_are_broken_only_beyond_chance_and_twice_the_share)
 TEST(contracts, of_no_failure_bind_other_rays_by_what_they_may_hide) {
   const Contract contract = contract_of(two_levels(0));
   AccuracyRecord record = two_levels(0)[1];
-  record.seed = 9;
-  record.false_hits = 12;  // (5/2)²·(1/1000 + 1/1000) of 1000 are 12.5
+  record.rays = 1001;
+  record.false_hits = 12;  // (5/2)²·(1/1000 + 1/1001) of 1001 are 12.5
   EXPECT_EQ(outcome_of(record, contract, "false_hits"), Outcome::kept);
   record.false_hits = 13;
   EXPECT_EQ(outcome_of(record, contract, "false_hits"), Outcome::broken);
+}
+
+TEST(contracts, say_nothing_of_another_seed) {
+  const Contract contract = contract_of(two_levels(7));
+  AccuracyRecord record = two_levels(900)[1];
+  record.seed = 9;
+  EXPECT_TRUE(judge(record, *contract.clause_of(record)).empty());
 }
 
 TEST(contracts, take_the_estimate_of_reciprocals_for_other_rays) {
@@ -135,7 +142,7 @@ TEST(contracts, judge_classes_of_t_exactly_or_for_other_rays_by_two) {
   AccuracyRecord record = two_levels(0)[1];
   record.t_error.p99 = 4;
   EXPECT_EQ(outcome_of(record, contract, "t_error"), Outcome::broken);
-  record.seed = 9;
+  record.rays = 9;
   EXPECT_EQ(outcome_of(record, contract, "t_error"), Outcome::kept);
   record.t_error.p99 = 5;
   EXPECT_EQ(outcome_of(record, contract, "t_error"), Outcome::broken);

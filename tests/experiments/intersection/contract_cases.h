@@ -23,7 +23,7 @@ inline std::vector<std::string> differences(const AccuracyRecord& record) {
   if (!clause) return {record.cell + ": not stated"};
   Clause other = *clause;
   // Arc tangents are the C library's own: these numbers are compared as those of other rays are.
-  if (record.method == "angle_sum") ++other.seed;
+  if (record.method == "angle_sum") ++other.rays;
   const std::vector<Judgement> judgements = judge(record, other);
   if (judgements.empty()) return {record.cell + ": its level is not stated"};
   std::vector<std::string> list;
