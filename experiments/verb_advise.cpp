@@ -31,9 +31,9 @@ Cell cell_of(const AdviseOptions& options) {
   Cell cell;
   cell.scene = options.scene;
   if (!options.mode.empty()) set_mode(cell, options.mode);
-  // As few pixels as make a picture of some tens of milliseconds, so that there are many rounds.
-  cell.settings.width = 160;
-  cell.settings.height = 120;
+  // So few pixels that a picture takes some tens of milliseconds at most, and there are many rounds.
+  cell.settings.width = 96;
+  cell.settings.height = 72;
   for (const auto& [name, value] : options.factors) set_factor(cell, *find_factor(name), value);
   return cell;
 }
@@ -70,7 +70,8 @@ void add_advise(CommandLine& line) {
   verb.add_option("scene", options.scene, "a built-in name, a scene file (.toml) or a mesh file").required();
   verb.add_option("--hit-tolerance", options.request.tolerance,
                   "how far a hit point may be off, as a share of the scene's size (1e-4)");
-  verb.add_option("--mode", options.mode, "of the pictures that are timed: low, middle, hard or very_hard");
+  verb.add_option("--mode", options.mode,
+                  "effort of the pictures that are timed: low, middle, hard or very_hard; not their size");
   for (const std::string_view name : picture_factors) {
     std::string option = "--" + std::string(name);
     std::ranges::replace(option, '_', '-');
