@@ -94,9 +94,9 @@ void add_places(std::vector<AtlasPlace>& places, const AtlasMap& map, const Mesh
 
 const std::vector<AtlasMap>& all_atlas_maps() {
   static const std::vector<AtlasMap> maps{
-      {"size-offset", "longest edge / distance of the ray's origin",
-       "distance from the world's origin / distance of the ray's origin", powers_of_4(0, -14),
-       powers_of_4(-3, 11), size_row, size_place},
+      {"size-offset", "longest edge / length of the ray",
+       "distance from the world's origin / length of the ray", powers_of_4(0, -14), powers_of_4(-3, 11),
+       size_row, size_place},
       {"aspect-grazing", "altitude / longest edge", "cosine of the ray to the normal", powers_of_4(0, -14),
        powers_of_4(0, -14), aspect_row, aspect_place}};
   return maps;

@@ -7,7 +7,7 @@ import numpy
 from matplotlib.colors import LogNorm
 
 from study_charts.runs import in_order
-from study_charts.style import INK, RAIL, Chart, spoken
+from study_charts.style import INK, RAIL, Chart, powers_on, spoken
 
 COLOURS = "cividis"
 COLUMNS = 5
@@ -57,6 +57,8 @@ def _facet(axes, record, scenes, weakest):
     axes.set_title(f"{spoken(record['method'])}, {record['precision']}", fontsize=8.5)
     axes.tick_params(labelsize=7)
     axes.minorticks_off()
+    powers_on(axes.xaxis)
+    powers_on(axes.yaxis)
     return image
 
 
@@ -74,9 +76,11 @@ def map_chart(name, records, scenes):
     bar = figure.colorbar(image, ax=grid, fraction=0.02, pad=0.01)
     bar.set_label("share of hits that is missed")
     bar.outline.set_visible(False)
+    bar.ax.minorticks_off()
+    powers_on(bar.ax.yaxis)
     figure.supxlabel(records[0]["x_of"], fontsize=9, color=INK)
     figure.supylabel(records[0]["y_of"], fontsize=9, color=INK)
-    title = title_of(name, records, scenes)
+    title = title_of(records, scenes)
     figure.suptitle(title, x=0.01, ha="left")
     named = ", ".join(scene["scene"] for scene in scenes)
     points = f" Points: triangles of {named}, drawn at random from all of theirs." if scenes else " No scene's triangles were recorded."
@@ -84,15 +88,15 @@ def map_chart(name, records, scenes):
     return Chart(f"map-{name}", title, text, figure)
 
 
-def title_of(name, records, scenes):
-    heading = f"False misses over {records[0]['x_of']} and {records[0]['y_of']}"
+def title_of(records, scenes):
     if not scenes:
-        return heading
-    worst = {r["method"] + ", " + r["precision"]: max(share_beyond(r, s) for s in scenes) for r in records}
+        return f"False misses over {records[0]['x_of']} and {records[0]['y_of']}"
+    drawn = f"triangles drawn from {' and '.join(scene['scene'] for scene in scenes)}"
+    worst = {f"{spoken(r['method'])}, {r['precision']},": max(share_beyond(r, s) for s in scenes) for r in records}
     method = max(worst, key=worst.get)
     if not worst[method]:
-        return f"{heading}: no triangle of a scene lies where a method misses more than 1 %"
-    return f"{heading}: up to {100 * worst[method]:.2g} % of a scene's triangles lie where {spoken(method)} misses more than 1 %"
+        return f"None of the {sum(len(s['x']) for s in scenes):,} {drawn} lies where a method misses more than 1 % of its hits"
+    return f"Up to {100 * worst[method]:.2g} % of the {drawn} lie where {method} misses more than 1 % of its hits"
 
 
 def map_charts(records):
