@@ -131,10 +131,13 @@ size_t PixelsConfig::cell_count() const {
   return count;
 }
 
+std::string group_key(const PixelsGroup& group) {
+  return fmt::format("{}{}/{}", group.scene, group.offset == 0 ? "" : fmt::format("{:+g}", group.offset),
+                     group.mode);
+}
+
 std::string cell_key(const PixelsGroup& group, const PixelsSubject& subject) {
-  return fmt::format("{}{}/{}/{}/{}/{}", group.scene,
-                     group.offset == 0 ? "" : fmt::format("{:+g}", group.offset), group.mode, subject.core,
-                     subject.method, subject.precision);
+  return fmt::format("{}/{}/{}/{}", group_key(group), subject.core, subject.method, subject.precision);
 }
 
 bool is_pixels(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {

@@ -40,6 +40,9 @@ struct PixelsConfig {
   [[nodiscard]] size_t cell_count() const;
 };
 
+/// "studio+10000/low"
+[[nodiscard]] std::string group_key(const PixelsGroup& group);
+
 /// "studio+10000/low/scalar/moller_trumbore/float"
 [[nodiscard]] std::string cell_key(const PixelsGroup& group, const PixelsSubject& subject);
 

@@ -66,10 +66,10 @@ class Picture {
       return PixelsMaker(scene, settings);
     };
     const PixelsMaker reference = make({"scalar", "woop_watertight", "double"});
-    write(reference.film(), group.subjects.front(), "reference");
+    write(reference.film(), group_key(group), "reference");
     for (const PixelsSubject& subject : group.subjects) {
       contenders_.push_back({make(subject), record_of(subject), {}});
-      tell(contenders_.back(), reference, subject);
+      tell(contenders_.back(), reference);
     }
   }
 
@@ -109,23 +109,20 @@ class Picture {
     return record;
   }
 
-  void tell(Contender& contender, const PixelsMaker& reference, const PixelsSubject& subject) const {
+  void tell(Contender& contender, const PixelsMaker& reference) const {
     const Film& film = contender.maker.film();
     const FlipMap map = flip(film, reference.film());
     tell_errors(contender.record, contender.maker, reference, map);
     contender.hash = film.hash();
     if (contender.record.wrong_pixels == 0) return;
-    write(wrong_pixels_picture(film, reference.film(), map), subject, "wrong");
-    write(picture_of(map), subject, "flip");
+    write(wrong_pixels_picture(film, reference.film(), map), contender.record.cell, "wrong");
+    write(picture_of(map), contender.record.cell, "flip");
   }
 
-  void write(const Film& film, const PixelsSubject& subject, const std::string& what) const {
+  void write(const Film& film, const std::string& key, const char* what) const {
     const std::filesystem::path folder = experiment_.files->path() / "pictures";
     std::filesystem::create_directories(folder);
-    const std::string of = what == "reference"
-                               ? fmt::format("{}{:+g}-{}", group_.scene, group_.offset, group_.mode)
-                               : cell_key(group_, subject);
-    write_png(film, (folder / fmt::format("{}-{}.png", file_name_of(of), what)).string());
+    write_png(film, (folder / fmt::format("{}-{}.png", file_name_of(key), what)).string());
   }
 
   /// Makes frames until their time is over, one at least.
@@ -181,7 +178,7 @@ PixelsReport run_pixels(const PixelsExperiment& experiment, bool quiet) {
       Picture picture(experiment, group);
       for (int round = 0; round < config.settings.rounds && !report.was_interrupted; ++round) {
         progress.show(static_cast<int>(report.records), total, now_seconds(),
-                      fmt::format("{}{:+g} {}, round {}", group.scene, group.offset, group.mode, round));
+                      fmt::format("{}, round {}", group_key(group), round));
         // By picture and round, so that a run that is taken up goes on as it would have gone.
         const uint64_t order_seed = config.settings.seed + 1'000'003 * i + static_cast<uint64_t>(round);
         const auto records = picture.run_round(round, order_seed, static_cast<int>(report.records), finished);
