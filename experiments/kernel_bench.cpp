@@ -13,19 +13,19 @@ namespace raysweep {
 
 /// A list of tests in both precisions, and what is known of it.
 struct BenchTests {
-  explicit BenchTests(const Work<float>& work)
+  explicit BenchTests(const Workload<float>& work)
       : in_float(work), in_double(work_in<double>(work)), known(known_hits(work)) {}
 
   template <class T>
-  [[nodiscard]] const Work<T>& in() const {
+  [[nodiscard]] const Workload<T>& in() const {
     if constexpr (std::is_same_v<T, float>)
       return in_float;
     else
       return in_double;
   }
 
-  Work<float> in_float;
-  Work<double> in_double;
+  Workload<float> in_float;
+  Workload<double> in_double;
   KnownHits known;
   std::map<std::pair<Precision, std::string_view>, uint64_t> base_hits;  // by method
 };
@@ -36,7 +36,7 @@ namespace {
 template <class T>
 class SharedPasses {
  public:
-  SharedPasses(const Kernel<T>& kernel, const Work<T>& work, int threads) {
+  SharedPasses(const Kernel<T>& kernel, const Workload<T>& work, int threads) {
     shares_.reserve(static_cast<size_t>(threads));  // passes point into it
     for (int thread = 0; thread < threads; ++thread) {
       if (threads > 1)
@@ -53,7 +53,7 @@ class SharedPasses {
   }
 
  private:
-  std::vector<Work<T>> shares_;
+  std::vector<Workload<T>> shares_;
   std::vector<std::unique_ptr<KernelPass>> passes_;
 };
 

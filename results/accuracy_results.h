@@ -63,8 +63,8 @@ struct AccuracyData {
   AccuracyResults results;
 };
 
-/// The kind of the run in `folder`: "picture", "accuracy" or "pixels". Throws RecordError where there is no
-/// run.
+/// The kind of the run in `folder`: "picture", "accuracy", "kernel" or "pixels". Throws RecordError where
+/// there is no run.
 [[nodiscard]] std::string run_kind(const std::filesystem::path& folder);
 
 /// Reads plan.json and records.jsonl of `folder`. Throws RecordError where they are missing or not readable.

@@ -73,8 +73,8 @@ class Picture {
 };
 
 template <class T>
-Work<T> work_of(const std::vector<SampledHit>& hits) {
-  Work<T> work;
+Workload<T> work_of(const std::vector<SampledHit>& hits) {
+  Workload<T> work;
   for (const auto& [ray, triangle] : hits) {
     const auto index = static_cast<uint32_t>(work.rays.size());
     work.rays.push_back({Vec3<T>(ray.origin), Vec3<T>(ray.direction)});
@@ -86,7 +86,7 @@ Work<T> work_of(const std::vector<SampledHit>& hits) {
 
 /// Adds the base kernels of one precision.
 template <class T>
-void add_kernels(const Work<T>& work, std::string_view precision, std::vector<TimedKernel>& timed,
+void add_kernels(const Workload<T>& work, std::string_view precision, std::vector<TimedKernel>& timed,
                  std::vector<Run>& runs) {
   for (const Kernel<T>& kernel : all_kernels<T>()) {
     if (kernel.change != "base") continue;
@@ -119,8 +119,8 @@ std::vector<std::vector<double>> time_pictures(const Scene& scene,
 std::vector<TimedKernel> time_kernels(const std::vector<SampledHit>& hits, const RoundOptions& options) {
   std::vector<TimedKernel> timed;
   if (hits.empty()) return timed;
-  const Work<float> of_floats = work_of<float>(hits);
-  const Work<double> of_doubles = work_of<double>(hits);
+  const Workload<float> of_floats = work_of<float>(hits);
+  const Workload<double> of_doubles = work_of<double>(hits);
   std::vector<Run> runs;
   add_kernels(of_floats, "float", timed, runs);
   add_kernels(of_doubles, "double", timed, runs);

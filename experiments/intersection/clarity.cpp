@@ -42,7 +42,7 @@ Clarity clarity_of(const Ray<float>& ray, const Triangle<float>& triangle, float
   return Clarity::unclear;
 }
 
-KnownHits known_hits(const Work<float>& work) {
+KnownHits known_hits(const Workload<float>& work) {
   KnownHits known;
   for (const Visit<float>& visit : work.visits) {
     for (uint32_t r = 0; r < work.rays_a_visit; ++r) {

@@ -15,7 +15,7 @@ namespace raysweep {
 namespace {
 
 template <class Method, Variant variant, class T>
-std::unique_ptr<KernelPass> prepare_scalar(const Work<T>& work) {
+std::unique_ptr<KernelPass> prepare_scalar(const Workload<T>& work) {
   return std::make_unique<ScalarPass<Method, variant, T>>(work);
 }
 

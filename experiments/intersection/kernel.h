@@ -29,7 +29,7 @@ struct Visit {
 /// `widest_group`, lanes of its last step go to waste, as they do in a leaf; they test what follows in
 /// `triangles`, or nothing, and are not counted as hits.
 template <class T>
-struct Work {
+struct Workload {
   std::vector<Ray<T>> rays;
   std::vector<Triangle<T>> triangles;
   std::vector<Visit<T>> visits;
@@ -59,7 +59,7 @@ struct Answer {
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A kernel with its constants computed and its data laid out. `Work` must outlive it.
+/// A kernel with its constants computed and its data laid out. `Workload` must outlive it.
 class KernelPass {
  public:
   KernelPass() = default;
@@ -94,7 +94,7 @@ struct Kernel {
   std::string_view isa;                  // "scalar", or the instruction set of its lanes
   uint32_t bytes = 0;                    // that a test reads of a triangle
   /// `work.rays_a_visit` must be a multiple of `rays`.
-  std::unique_ptr<KernelPass> (*prepare)(const Work<T>& work);
+  std::unique_ptr<KernelPass> (*prepare)(const Workload<T>& work);
 };
 
 /// Of each method its base kernel (one ray, one triangle, base variant), then those that differ from it in

@@ -22,7 +22,7 @@ constexpr std::string_view isa = RAYSWEEP_KERNELS_NAME;
 constexpr bool is_contracted = RAYSWEEP_KERNELS_CONTRACTED;
 
 template <class Pass, class T>
-std::unique_ptr<KernelPass> prepare(const Work<T>& work) {
+std::unique_ptr<KernelPass> prepare(const Workload<T>& work) {
   return std::make_unique<Pass>(work);
 }
 

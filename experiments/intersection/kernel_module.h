@@ -13,7 +13,7 @@ struct KernelModule {
   const std::vector<Kernel<double>>* of_double;
 };
 /// Another one than the program's: the module is of another build.
-inline constexpr size_t kernel_layout = sizeof(Kernel<float>) * 1000 + sizeof(Work<float>);
+inline constexpr size_t kernel_layout = sizeof(Kernel<float>) * 1000 + sizeof(Workload<float>);
 
 inline constexpr const char* kernel_module_symbol = "raysweep_kernel_module";
 using KernelModuleFunction = const KernelModule* (*)();

@@ -69,7 +69,7 @@ class LaneSums {
 template <class Method, Variant variant, class T, int width>
 class PacketPass : public KernelPass {
  public:
-  explicit PacketPass(const Work<T>& work) : work_(work) {
+  explicit PacketPass(const Workload<T>& work) : work_(work) {
     for (const Triangle<T>& triangle : work.triangles) constants_.push_back(Method::prepare(triangle));
     for (size_t first = 0; first < work.rays.size(); first += width) packets_.push_back(packet_at(first));
   }
@@ -113,7 +113,7 @@ class PacketPass : public KernelPass {
     return {vector_of(&Ray<T>::origin), vector_of(&Ray<T>::direction)};
   }
 
-  const Work<T>& work_;
+  const Workload<T>& work_;
   std::vector<TriangleFor<Method, variant, T>> constants_;
   std::vector<Ray<V>> packets_;
 };
@@ -122,7 +122,7 @@ class PacketPass : public KernelPass {
 template <class Method, Variant variant, class T, int width, Layout layout>
 class BlockPass : public KernelPass {
  public:
-  explicit BlockPass(const Work<T>& work) : work_(work) {
+  explicit BlockPass(const Workload<T>& work) : work_(work) {
     if constexpr (layout == Layout::blocks) {
       for (const Visit<T>& visit : work.visits) lay_out(visit);
     } else {
@@ -226,7 +226,7 @@ class BlockPass : public KernelPass {
     }
   }
 
-  const Work<T>& work_;
+  const Workload<T>& work_;
   std::map<std::pair<uint32_t, uint32_t>, uint32_t> places_;  // of runs, by first triangle and count
   std::vector<uint32_t> block_of_visit_;
   std::vector<Constants> blocks_;

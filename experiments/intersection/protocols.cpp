@@ -43,13 +43,13 @@ struct Aim {
   [[nodiscard]] Ray<float> ray() const { return aimed(Vec3f(origin), Vec3f(target)); }
 };
 
-void add_random_triangles(Work<float>& work, uint32_t count, Random& random) {
+void add_random_triangles(Workload<float>& work, uint32_t count, Random& random) {
   for (uint32_t i = 0; i < count; ++i) work.triangles.push_back(any_triangle(random));
 }
 
-Work<float> random_work(double, uint64_t seed) {
+Workload<float> random_work(double, uint64_t seed) {
   Random random(seed);
-  Work<float> work;
+  Workload<float> work;
   add_random_triangles(work, random_triangle_count, random);
   for (uint32_t i = 0; i < random_ray_count; ++i) {
     work.rays.push_back(Aim(random).ray());
@@ -93,9 +93,9 @@ void shuffle(std::vector<Value>& list, Random& random) {
 /// Löfstedt & Akenine-Möller 2005, "An evaluation framework for ray-triangle intersection algorithms": by the
 /// share of hits. Each ray has triangles of its own, which are read one after the other: caches fetch them
 /// ahead.
-Work<float> hit_rate_work(double hit_rate, uint64_t seed) {
+Workload<float> hit_rate_work(double hit_rate, uint64_t seed) {
   Random random(seed);
-  Work<float> work;
+  Workload<float> work;
   for (uint32_t i = 0; i < hit_rate_ray_count; ++i) {
     const Aim aim(random);
     std::vector<Triangle<float>> run;
@@ -112,11 +112,11 @@ Work<float> hit_rate_work(double hit_rate, uint64_t seed) {
 
 /// Packets of 4 × 4 rays to the points of a lattice, as far from each other as pixels of a picture that is
 /// 256 of them wide and as wide as it is far. Origins lie within `origin_spread` of such a step.
-Work<float> packet_work(double origin_spread, uint64_t seed) {
+Workload<float> packet_work(double origin_spread, uint64_t seed) {
   constexpr uint32_t packet_count = 32, side = 4;
   static_assert(side * side == widest_group);
   Random random(seed);
-  Work<float> work;
+  Workload<float> work;
   work.rays_a_visit = widest_group;
   add_random_triangles(work, random_triangle_count, random);
   for (uint32_t packet = 0; packet < packet_count; ++packet) {
@@ -134,15 +134,15 @@ Work<float> packet_work(double origin_spread, uint64_t seed) {
   return work;
 }
 
-Work<float> common_packets(double, uint64_t seed) { return packet_work(0, seed); }
-Work<float> general_packets(double, uint64_t seed) { return packet_work(4, seed); }
+Workload<float> common_packets(double, uint64_t seed) { return packet_work(0, seed); }
+Workload<float> general_packets(double, uint64_t seed) { return packet_work(4, seed); }
 
 /// The kernel of a study of threads and vectors at once: one ray with four triangles that lie together.
-Work<float> cluster_work(double size, uint64_t seed) {
+Workload<float> cluster_work(double size, uint64_t seed) {
   constexpr uint32_t cluster = 4;
   const auto count = static_cast<uint32_t>(size);
   Random random(seed);
-  Work<float> work;
+  Workload<float> work;
   add_random_triangles(work, count, random);
   for (uint32_t i = 0; i < count; ++i) {
     work.rays.push_back(Aim(random).ray());
@@ -186,8 +186,8 @@ const std::vector<double>& cluster_sizes() {
 }
 
 template <class T>
-Work<T> work_in(const Work<float>& work) {
-  Work<T> result;
+Workload<T> work_in(const Workload<float>& work) {
+  Workload<T> result;
   result.rays_a_visit = work.rays_a_visit;
   for (const Ray<float>& ray : work.rays)
     result.rays.push_back({Vec3<T>(ray.origin), Vec3<T>(ray.direction)});
@@ -197,17 +197,17 @@ Work<T> work_in(const Work<float>& work) {
     result.visits.push_back({v.first_ray, v.first_triangle, v.triangle_count, T(v.t_max)});
   return result;
 }
-template Work<float> work_in(const Work<float>&);
-template Work<double> work_in(const Work<float>&);
+template Workload<float> work_in(const Workload<float>&);
+template Workload<double> work_in(const Workload<float>&);
 
 template <class T>
-Work<T> share_of(const Work<T>& work, uint32_t index, uint32_t count) {
+Workload<T> share_of(const Workload<T>& work, uint32_t index, uint32_t count) {
   const auto border = [&](uint32_t i) {
     return work.visits.begin() + static_cast<std::ptrdiff_t>(work.visits.size() * i / count);
   };
   return {work.rays, work.triangles, {border(index), border(index + 1)}, work.rays_a_visit};
 }
-template Work<float> share_of(const Work<float>&, uint32_t, uint32_t);
-template Work<double> share_of(const Work<double>&, uint32_t, uint32_t);
+template Workload<float> share_of(const Workload<float>&, uint32_t, uint32_t);
+template Workload<double> share_of(const Workload<double>&, uint32_t, uint32_t);
 
 }  // namespace raysweep

@@ -20,7 +20,7 @@ struct Protocol {
   bool has_size;      // its parameter: as many rays, and as many triangles
   bool has_scene;
   uint32_t rays_a_visit;
-  Work<float> (*make)(double parameter, uint64_t seed);  // null for those of a scene: see replay.h
+  Workload<float> (*make)(double parameter, uint64_t seed);  // null for those of a scene: see replay.h
 };
 
 /// The one list of protocols.
@@ -34,12 +34,12 @@ struct Protocol {
 
 /// The same tests over numbers of another type.
 template <class T>
-[[nodiscard]] Work<T> work_in(const Work<float>& work);
+[[nodiscard]] Workload<T> work_in(const Workload<float>& work);
 
 /// The tests of thread `index` of `count`: as many visits as the others have, but for one, that follow each
 /// other. Rays and triangles are its own copies.
 template <class T>
-[[nodiscard]] Work<T> share_of(const Work<T>& work, uint32_t index, uint32_t count);
+[[nodiscard]] Workload<T> share_of(const Workload<T>& work, uint32_t index, uint32_t count);
 
 /// Whether rounding may decide a test: not where all computing with 24 bits agrees.
 enum class Clarity { hit, miss, unclear };
@@ -53,6 +53,6 @@ enum class Clarity { hit, miss, unclear };
 struct KnownHits {
   uint64_t hits = 0, unclear = 0;  // `hits` are the clear ones
 };
-[[nodiscard]] KnownHits known_hits(const Work<float>& work);
+[[nodiscard]] KnownHits known_hits(const Workload<float>& work);
 
 }  // namespace raysweep

@@ -52,7 +52,7 @@ class Recorder {
     work_.rays.push_back(ray);
   }
 
-  [[nodiscard]] Work<float> take() { return std::move(work_); }
+  [[nodiscard]] Workload<float> take() { return std::move(work_); }
 
  private:
   void visit(const TreeNode& leaf, const Ray<float>& ray, const SlabRay<float>& slab_ray,
@@ -67,13 +67,13 @@ class Recorder {
   }
 
   const OracleCore& core_;
-  Work<float> work_;
+  Workload<float> work_;
 };
 
 }  // namespace
 
-Work<float> record_replay(const Scene& scene, const OracleCore& core, const std::vector<RayKind>& kinds,
-                          int width, int height, uint64_t seed) {
+Workload<float> record_replay(const Scene& scene, const OracleCore& core, const std::vector<RayKind>& kinds,
+                              int width, int height, uint64_t seed) {
   Recorder recorder(core);
   for (const RayKind kind : kinds) {
     const RayBatch rays = make_rays(kind, scene, core, width, height, seed);
@@ -82,7 +82,7 @@ Work<float> record_replay(const Scene& scene, const OracleCore& core, const std:
   return recorder.take();
 }
 
-Work<float> replay_work(const std::string& name, uint64_t seed) {
+Workload<float> replay_work(const std::string& name, uint64_t seed) {
   constexpr int width = 96, height = 72;  // three kinds of at most 6912 rays
   constexpr int leaf_size = 4;
   const Scene scene = triangles_alone(load_scene(name));

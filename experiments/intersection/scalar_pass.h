@@ -12,7 +12,7 @@ namespace raysweep {
 template <class Method, Variant variant, class T>
 class ScalarPass : public KernelPass {
  public:
-  explicit ScalarPass(const Work<T>& work) : work_(work) {
+  explicit ScalarPass(const Workload<T>& work) : work_(work) {
     constants_.reserve(work.triangles.size());
     for (const Triangle<T>& triangle : work.triangles) {
       if constexpr (variant.data == Data::bare) {
@@ -45,7 +45,7 @@ class ScalarPass : public KernelPass {
   }
 
  private:
-  const Work<T>& work_;
+  const Workload<T>& work_;
   std::vector<TriangleFor<Method, variant, T>> constants_;
 };
 

@@ -17,11 +17,11 @@ namespace {
 /// Runs of every length up to two groups, one after the other, each against a group of rays of which some are
 /// aimed at corners and edges, and one has a number that is none.
 template <class T>
-Work<T> awkward_work() {
+Workload<T> awkward_work() {
   Random random(7);
   const auto coordinate = [&] { return static_cast<T>(2 * uniform(random) - 1); };
   const auto point = [&] { return Vec3<T>(coordinate(), coordinate(), coordinate()); };
-  Work<T> work;
+  Workload<T> work;
   work.rays_a_visit = widest_group;
   for (uint32_t count = 1; count <= 2 * widest_group; ++count) {
     const auto first_ray = static_cast<uint32_t>(work.rays.size());
@@ -86,7 +86,7 @@ using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(kernel, Precisions);
 
 TYPED_TEST(kernel, of_many_lanes_answers_as_the_one_of_one_ray_bit_for_bit) {
-  const Work<TypeParam> work = awkward_work<TypeParam>();
+  const Workload<TypeParam> work = awkward_work<TypeParam>();
   size_t tried = 0;
   for (const Kernel<TypeParam>& one : all_kernels<TypeParam>()) {
     if (!rounds_as_base(one)) continue;
@@ -101,7 +101,7 @@ TYPED_TEST(kernel, of_many_lanes_answers_as_the_one_of_one_ray_bit_for_bit) {
 }
 
 TYPED_TEST(kernel, counts_the_hits_that_it_answers) {
-  const Work<TypeParam> work = awkward_work<TypeParam>();
+  const Workload<TypeParam> work = awkward_work<TypeParam>();
   for (const Kernel<TypeParam>& one : all_kernels<TypeParam>()) {
     SCOPED_TRACE(fmt::format("{} {}", one.method, one.change));
     const auto pass = one.prepare(work);
@@ -125,7 +125,7 @@ TYPED_TEST(kernel, counts_the_hits_that_it_answers) {
 TYPED_TEST(kernel, with_contraction_rounds_otherwise) {
   if (const std::string why = why_no_kernels("contracted"); !why.empty())
     GTEST_SKIP() << "the module of contracted kernels " << why;
-  const Work<TypeParam> work = awkward_work<TypeParam>();
+  const Workload<TypeParam> work = awkward_work<TypeParam>();
   for (const Kernel<TypeParam>& one : all_kernels<TypeParam>()) {
     if (one.contraction != "on") continue;
     SCOPED_TRACE(one.method);

@@ -10,11 +10,11 @@
 namespace raysweep {
 namespace {
 
-Work<float> made(std::string_view protocol, double parameter = 0, uint64_t seed = 1) {
+Workload<float> made(std::string_view protocol, double parameter = 0, uint64_t seed = 1) {
   return find_protocol(protocol)->make(parameter, seed);
 }
 
-bool are_equal(const Work<float>& a, const Work<float>& b) {
+bool are_equal(const Workload<float>& a, const Workload<float>& b) {
   const auto same_ray = [](const Ray<float>& r, const Ray<float>& s) {
     return r.origin == s.origin && r.direction == s.direction;
   };
@@ -29,7 +29,7 @@ struct Verdicts {
   uint64_t hits = 0, boundary = 0;
 };
 
-Verdicts verdicts_of(const Work<float>& work) {
+Verdicts verdicts_of(const Workload<float>& work) {
   Verdicts verdicts;
   for (const Visit<float>& visit : work.visits) {
     for (uint32_t r = 0; r < work.rays_a_visit; ++r) {
@@ -47,7 +47,7 @@ Verdicts verdicts_of(const Work<float>& work) {
 TEST(protocols, hit_exactly_the_share_that_is_asked_for) {
   for (const char* name : {"hit-rate", "worst-case"}) {
     for (int tenths = 0; tenths <= 10; ++tenths) {
-      const Work<float> work = made(name, tenths / 10.0);
+      const Workload<float> work = made(name, tenths / 10.0);
       const Verdicts verdicts = verdicts_of(work);
       EXPECT_EQ(verdicts.hits * 10, work.test_count() * static_cast<uint64_t>(tenths)) << name;
       EXPECT_EQ(verdicts.boundary, 0u);
@@ -56,7 +56,7 @@ TEST(protocols, hit_exactly_the_share_that_is_asked_for) {
 }
 
 TEST(protocols, hits_of_a_ray_stand_in_no_order) {
-  const Work<float> work = made("hit-rate", 0.5);
+  const Workload<float> work = made("hit-rate", 0.5);
   size_t changes = 0;
   for (uint32_t i = 1; i < run_length; ++i) {
     const auto hit = [&](uint32_t at) { return exact_verdict(work.rays[0], work.triangles[at]); };
@@ -67,7 +67,7 @@ TEST(protocols, hits_of_a_ray_stand_in_no_order) {
 
 TEST(protocols, with_a_hit_rate_have_no_test_that_rounding_decides) {
   for (const double rate : {0.0, 0.3, 1.0}) {
-    const Work<float> work = made("hit-rate", rate);
+    const Workload<float> work = made("hit-rate", rate);
     const KnownHits known = known_hits(work);
     EXPECT_EQ(known.unclear, 0u);
     EXPECT_EQ(known.hits, verdicts_of(work).hits);
@@ -76,7 +76,7 @@ TEST(protocols, with_a_hit_rate_have_no_test_that_rounding_decides) {
 
 TEST(protocols, clear_tests_are_what_the_oracle_says) {
   for (const char* name : {"random", "packet-common", "packet-general", "clusters"}) {
-    const Work<float> work = made(name, 128);
+    const Workload<float> work = made(name, 128);
     const KnownHits known = known_hits(work);
     const Verdicts verdicts = verdicts_of(work);
     EXPECT_GE(verdicts.hits, known.hits) << name;
@@ -104,7 +104,7 @@ TEST(clarity, ends_near_edges_ends_and_planes) {
 
 TEST(protocols, make_packets_of_coherent_rays) {
   for (const char* name : {"packet-common", "packet-general"}) {
-    const Work<float> work = made(name);
+    const Workload<float> work = made(name);
     EXPECT_EQ(work.rays_a_visit, widest_group);
     EXPECT_EQ(work.rays.size(), work.visits.size() * widest_group);
     for (const Visit<float>& visit : work.visits) {
@@ -121,7 +121,7 @@ TEST(protocols, make_packets_of_coherent_rays) {
 
 TEST(protocols, clusters_hand_each_ray_every_triangle_four_at_a_time) {
   for (const double size : cluster_sizes()) {
-    const Work<float> work = made("clusters", size);
+    const Workload<float> work = made("clusters", size);
     EXPECT_EQ(static_cast<double>(work.test_count()), size * size);
     for (const Visit<float>& visit : work.visits) EXPECT_EQ(visit.triangle_count, 4u);
   }
@@ -138,11 +138,11 @@ TEST(protocols, depend_on_the_seed_alone) {
 }
 
 TEST(protocols, are_shared_among_threads_whole) {
-  const Work<float> work = made("random");
+  const Workload<float> work = made("random");
   for (const uint32_t count : {1u, 2u, 3u}) {
     uint32_t next = 0;
     for (uint32_t i = 0; i < count; ++i) {
-      const Work<float> share = share_of(work, i, count);
+      const Workload<float> share = share_of(work, i, count);
       EXPECT_NEAR(static_cast<double>(share.visits.size()), static_cast<double>(work.visits.size()) / count,
                   1);
       for (const Visit<float>& visit : share.visits) EXPECT_EQ(visit.first_ray, next++);
@@ -153,9 +153,9 @@ TEST(protocols, are_shared_among_threads_whole) {
 
 template <class T>
 void expect_known_hits_of_every_kernel(std::string_view protocol, double parameter) {
-  const Work<float> work = share_of(made(protocol, parameter), 0, 4);  // slow methods take their time
+  const Workload<float> work = share_of(made(protocol, parameter), 0, 4);  // slow methods take their time
   const KnownHits known = known_hits(work);
-  const Work<T> as_tested = work_in<T>(work);
+  const Workload<T> as_tested = work_in<T>(work);
   for (const Kernel<T>& kernel : all_kernels<T>()) {
     if (work.rays_a_visit % kernel.rays != 0) continue;
     const uint64_t hits = kernel.prepare(as_tested)->run().hits;

@@ -19,13 +19,13 @@ class Replay : public testing::Test {
   Scene scene = triangles_alone(load_scene("grotto"));
   OracleCore core{scene, "sah", 4};
 
-  [[nodiscard]] Work<float> recorded(RayKind kind) const {
+  [[nodiscard]] Workload<float> recorded(RayKind kind) const {
     return record_replay(scene, core, {kind}, width, height, 1);
   }
 };
 
 /// The t of the nearest hit of each ray's tests.
-std::vector<std::optional<float>> nearest_hits(const Work<float>& work) {
+std::vector<std::optional<float>> nearest_hits(const Workload<float>& work) {
   std::vector<std::optional<float>> nearest(work.rays.size());
   for (const Visit<float>& visit : work.visits) {
     for (uint32_t i = visit.first_triangle; i < visit.first_triangle + visit.triangle_count; ++i) {
@@ -40,7 +40,7 @@ std::vector<std::optional<float>> nearest_hits(const Work<float>& work) {
 
 TEST_F(Replay, has_the_hits_of_the_tracer) {
   for (const RayKind kind : {RayKind::primary, RayKind::diffuse}) {
-    const Work<float> work = recorded(kind);
+    const Workload<float> work = recorded(kind);
     const auto nearest = nearest_hits(work);
     size_t hits = 0;
     for (size_t i = 0; i < work.rays.size(); ++i) {
@@ -55,7 +55,7 @@ TEST_F(Replay, has_the_hits_of_the_tracer) {
 }
 
 TEST_F(Replay, stops_shadow_rays_where_the_tracer_does) {
-  const Work<float> work = recorded(RayKind::shadow);
+  const Workload<float> work = recorded(RayKind::shadow);
   const auto nearest = nearest_hits(work);
   const RayBatch rays = make_rays(RayKind::shadow, scene, core, width, height, 1);
   ASSERT_EQ(rays.size, work.rays.size());
@@ -68,7 +68,7 @@ TEST_F(Replay, stops_shadow_rays_where_the_tracer_does) {
 }
 
 TEST_F(Replay, a_visit_ends_at_the_nearest_hit_so_far) {
-  Work<float> work = recorded(RayKind::diffuse);
+  Workload<float> work = recorded(RayKind::diffuse);
   const auto visits = std::exchange(work.visits, {});
   std::vector<float> so_far(work.rays.size(), std::numeric_limits<float>::infinity());
   size_t shortened = 0;
@@ -83,7 +83,7 @@ TEST_F(Replay, a_visit_ends_at_the_nearest_hit_so_far) {
 }
 
 TEST_F(Replay, a_shadow_ray_visits_nothing_after_its_first_hit) {
-  Work<float> work = recorded(RayKind::shadow);
+  Workload<float> work = recorded(RayKind::shadow);
   const auto visits = std::exchange(work.visits, {});
   for (size_t i = 0; i + 1 < visits.size(); ++i) {
     if (visits[i].first_ray != visits[i + 1].first_ray) continue;
@@ -95,13 +95,14 @@ TEST_F(Replay, a_shadow_ray_visits_nothing_after_its_first_hit) {
 TEST_F(Replay, does_as_many_tests_as_the_tracer) {
   const ScalarCore<float, CountingMethod> counting(scene, "sah", 4);
   CountingMethod::tests = 0;
-  const Work<float> work = recorded(RayKind::diffuse);
+  const Workload<float> work = recorded(RayKind::diffuse);
   for (const Ray<float>& ray : work.rays) static_cast<void>(counting.closest(ray));
   EXPECT_EQ(work.test_count(), static_cast<uint64_t>(CountingMethod::tests));
 }
 
 TEST(replay, of_a_scene_depends_on_its_seed_by_bounced_rays) {
-  const Work<float> a = replay_work("grotto", 1), b = replay_work("grotto", 1), c = replay_work("grotto", 2);
+  const Workload<float> a = replay_work("grotto", 1), b = replay_work("grotto", 1),
+                        c = replay_work("grotto", 2);
   EXPECT_EQ(a.test_count(), b.test_count());
   EXPECT_NE(a.test_count(), c.test_count());
   EXPECT_GT(a.rays.size(), 10'000u);
