@@ -97,7 +97,7 @@ TEST_F(PixelsRun, a_dry_run_names_the_cells_and_writes_nothing) {
 TEST_F(PixelsRun, what_is_for_pictures_alone_is_refused) {
   const ProgramResult result = run("a", {"--budget", "1"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("--budget is for pictures"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("--budget is not for a pixels experiment"), std::string::npos) << result.err;
 }
 
 }  // namespace
