@@ -5,7 +5,6 @@ import dataclasses
 from study_charts.accuracy import Accuracy, class_of, extra_rays, false_hits, false_misses, gravity, missed_rays
 from study_charts.kernels import Kernel
 from study_charts.numbers import per_million, power, short
-from study_charts.style import spoken
 
 # A method counts as broken in a case where more than this share goes wrong.
 BROKEN = 0.01
@@ -18,7 +17,7 @@ class Answer:
 
 
 def joined(names):
-    names = [spoken(n) for n in names]
+    names = list(names)
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
 
 
@@ -48,13 +47,13 @@ def fastest(kernels):
             if not base:
                 continue
             kernel, ns = base[0]
-            sentence = f"{str(workload).capitalize()}, {precision}: {spoken(kernel.method)}, {time_text(ns)}"
+            sentence = f"{str(workload).capitalize()}, {precision}: {kernel.method}, {time_text(ns)}"
             same = not_told_apart(kernels, precision, workload)
             if same:
                 sentence += f", not told apart from {joined(k.method for k in same)}"
             elif len(base) > 1:
                 second = kernels.price(base[1][0], kernel, workload)
-                sentence += f"; the next, {spoken(base[1][0].method)}, takes {short(second.value)} % more" if second else ""
+                sentence += f"; the next, {base[1][0].method}, takes {short(second.value)} % more" if second else ""
             sentences.append(sentence + ".")
     return sentences
 
@@ -86,14 +85,14 @@ def safest(accuracy):
         elif accuracy.mesh_cases:
             rates = {m: accuracy.pooled(accuracy.of(m, precision), missed_rays) for m in accuracy.methods}
             least = min(rates, key=lambda m: rates[m].share)
-            sentences.append(f"At edges and corners of meshes, {precision}: every method lets rays through, {spoken(least)} the fewest ({per_million(rates[least])}).")  # fmt: skip
+            sentences.append(f"At edges and corners of meshes, {precision}: every method lets rays through, {least} the fewest ({per_million(rates[least])}).")  # fmt: skip
         cells = {m: broken_cells(accuracy, m, precision) for m in accuracy.methods}
         fewest = min(cells.values())[0]
         best = [m for m in cells if cells[m][0] == fewest]
         worst = max(cells, key=lambda m: cells[m][0])
         sentences.append(
             f"In all cases, {precision}: {joined(best)} {'breaks' if len(best) == 1 else 'break'} in the fewest cells, {fewest} of "
-            f"{cells[best[0]][1]} (a case at a difficulty); the most by {spoken(worst)}, {cells[worst][0]}."
+            f"{cells[best[0]][1]} (a case at a difficulty); the most by {worst}, {cells[worst][0]}."
         )
     return sentences
 
@@ -114,11 +113,11 @@ def cost_of_safety(accuracy, kernels):
         safe = Kernel(safest_method(accuracy, precision), "base", precision)
         price = kernels.price(safe, base[0], workload)
         if safe == base[0]:
-            sentences.append(f"Nothing, {precision}: {spoken(safe.method)} is the safest and the fastest ({workload}).")
+            sentences.append(f"Nothing, {precision}: {safe.method} is the safest and the fastest ({workload}).")
         elif price:
-            sentences.append(f"{precision.capitalize()}: {spoken(safe.method)} takes {percent_text(price)} more time than {spoken(base[0].method)}, the fastest ({workload}).")  # fmt: skip
+            sentences.append(f"{precision.capitalize()}: {safe.method} takes {percent_text(price)} more time than {base[0].method}, the fastest ({workload}).")  # fmt: skip
         else:
-            sentences.append(f"{precision.capitalize()}: {spoken(safe.method)} was not timed together with {spoken(base[0].method)}.")
+            sentences.append(f"{precision.capitalize()}: {safe.method} was not timed together with {base[0].method}.")
     return sentences + double_instead(accuracy, kernels, workload)
 
 
@@ -152,7 +151,7 @@ def breaks(accuracy, precision):
     between = {case: firsts for case, firsts in found.items() if case not in never + always}
     for method in accuracy.methods if between else []:
         where = [f"{case} from {power(firsts[method])}" for case, firsts in between.items() if firsts.get(method) is not None]
-        sentences.append(f"{spoken(method)}, {precision}, of the other {len(between)}: {', '.join(where) or 'holds in all'}.")
+        sentences.append(f"{method}, {precision}, of the other {len(between)}: {', '.join(where) or 'holds in all'}.")
     return sentences
 
 
@@ -181,6 +180,6 @@ def class_rows(accuracy):
             for class_id, name in columns:
                 records = accuracy.of(method, precision, only=lambda case, c=class_id: class_of(case) == c)
                 rates.append(Accuracy.pooled(records, measures[name]))
-            rows.append((spoken(method), precision, rates))
+            rows.append((method, precision, rates))
     kept = [i for i in range(len(columns)) if any(rates[i] for _, _, rates in rows)]
     return [columns[i] for i in kept], [(m, p, [rates[i] for i in kept]) for m, p, rates in rows]

@@ -9,7 +9,7 @@ from study_charts.accuracy import CLASSES, Accuracy, class_of, false_misses
 from study_charts.kernels import Kernel
 from study_charts.labels import place_labels
 from study_charts.numbers import pareto_front
-from study_charts.style import FAINT, INK, PAPER, RAIL, Chart, powers_on, spoken
+from study_charts.style import FAINT, INK, PAPER, RAIL, Chart, powers_on
 
 
 @dataclasses.dataclass(frozen=True)
@@ -127,7 +127,7 @@ def title_of(fronts):
     """What the fronts of all classes say together."""
     sets = [{(p.kernel.method, p.kernel.precision) for p in front} for front in fronts.values()]
     always = sorted(set.intersection(*sets))
-    names = ", ".join(f"{spoken(m)} ({p})" for m, p in always)
+    names = ", ".join(f"{m} ({p})" for m, p in always)
     once = len(set.union(*sets))
     if always:
         return f"On the front in every class: {names}"
@@ -165,7 +165,7 @@ def _label(axes, points, front):
     bases = [p for p in points if p.kernel.change == "base"]
     top = axes.get_ylim()[1] / 2
     ordered = sorted(bases, key=lambda p: (p not in front, p.ns.value))
-    place_labels(axes, [(p.ns.value, min(p.wrong, top), spoken(p.kernel.method)) for p in ordered])
+    place_labels(axes, [(p.ns.value, min(p.wrong, top), p.kernel.method) for p in ordered])
 
 
 def cost_charts(accuracy, kernels, looks):

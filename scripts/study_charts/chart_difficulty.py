@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 
 from study_charts.accuracy import NO_HIT, false_misses, t_error
 from study_charts.numbers import power
-from study_charts.style import FAINT, RAIL, Chart, powers_on, spoken, thinned
+from study_charts.style import FAINT, RAIL, Chart, powers_on, thinned
 
 COLUMNS = 5
 # A method stands out in a facet where it is somewhere this many times better or worse than the middle one.
@@ -101,7 +101,7 @@ def _label_ends(axes, lines, apart):
             inside = axes.bbox.y0 < y + low and y + high < axes.bbox.y1
             if inside and not any(y + low < other < y + high for other in others):
                 at = axes.transData.inverted().transform((x, y))
-                axes.annotate(spoken(method), at, (3, offset), textcoords="offset points", ha="right", fontsize=6.5)
+                axes.annotate(method, at, (3, offset), textcoords="offset points", ha="right", fontsize=6.5)
                 taken += [y + low + 2, y + (low + high) / 2, y + high - 2]
                 break
 
@@ -160,7 +160,7 @@ def title_of(outstanding):
     if not counts:
         return "All methods go together"
     most = max(counts.values())
-    names = ", ".join(spoken(m) for m in sorted(counts) if counts[m] == most)
+    names = ", ".join(m for m in sorted(counts) if counts[m] == most)
     return f"All methods go together in {len(together)} of {len(outstanding)} cases; most often apart: {names} ({most})"
 
 

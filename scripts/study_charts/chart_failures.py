@@ -7,7 +7,7 @@ import numpy
 from matplotlib.colors import LogNorm
 
 from study_charts.accuracy import MEASURES
-from study_charts.style import FAINT, INK, RAIL, Chart, spoken
+from study_charts.style import FAINT, INK, RAIL, Chart
 
 # Read from dark to light by anybody, and in grey.
 COLOURS = "cividis"
@@ -42,7 +42,7 @@ def faultless(accuracy, rates):
 
 def _frame(axes, accuracy, columns):
     """Names of methods and cases, and lines between cases."""
-    axes.set_yticks(range(len(accuracy.methods)), [spoken(m) for m in accuracy.methods])
+    axes.set_yticks(range(len(accuracy.methods)), [m for m in accuracy.methods])
     axes.grid(False)
     starts = [i for i, (case, _) in enumerate(columns) if i == 0 or columns[i - 1][0] != case]
     for start in starts[1:]:
@@ -72,7 +72,7 @@ def runs_of(flags):
 def note_of(safe, count):
     if len(safe) == count:
         return "none seen"
-    return f"only {', '.join(map(spoken, safe))} without any" if safe else "every method has some"
+    return f"only {', '.join(safe)} without any" if safe else "every method has some"
 
 
 def failure_chart(accuracy, name):

@@ -7,7 +7,7 @@ import numpy
 from matplotlib.colors import LogNorm
 
 from study_charts.runs import in_order
-from study_charts.style import INK, RAIL, Chart, powers_on, spoken
+from study_charts.style import INK, RAIL, Chart, powers_on
 
 COLOURS = "cividis"
 COLUMNS = 5
@@ -54,7 +54,7 @@ def _facet(axes, record, scenes, weakest):
     axes.set_xlim(min(x), max(x))
     axes.set_ylim(min(y), max(y))
     axes.grid(False)
-    axes.set_title(f"{spoken(record['method'])}, {record['precision']}", fontsize=8.5)
+    axes.set_title(f"{record['method']}, {record['precision']}", fontsize=8.5)
     axes.tick_params(labelsize=7)
     axes.minorticks_off()
     powers_on(axes.xaxis)
@@ -92,7 +92,7 @@ def title_of(records, scenes):
     if not scenes:
         return f"False misses over {records[0]['x_of']} and {records[0]['y_of']}"
     drawn = f"triangles drawn from {' and '.join(scene['scene'] for scene in scenes)}"
-    worst = {f"{spoken(r['method'])}, {r['precision']},": max(share_beyond(r, s) for s in scenes) for r in records}
+    worst = {f"{r['method']}, {r['precision']},": max(share_beyond(r, s) for s in scenes) for r in records}
     method = max(worst, key=worst.get)
     if not worst[method]:
         return f"None of the {sum(len(s['x']) for s in scenes):,} {drawn} lies where a method misses more than 1 % of its hits"

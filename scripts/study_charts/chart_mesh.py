@@ -5,7 +5,7 @@ from matplotlib.patches import Patch
 
 from study_charts.accuracy import extra_rays, missed_rays
 from study_charts.numbers import power, short
-from study_charts.style import FAINT, INK, PAPER, Chart, spoken
+from study_charts.style import FAINT, INK, PAPER, Chart
 
 COLUMNS = 3
 MISSED, EXTRA = "#cc3311", "#0077bb"
@@ -60,7 +60,7 @@ def _facet(axes, accuracy, case, level):
     axes.set_xticks([t for t in axes.get_xticks() if abs(t) <= 100])
     axes.xaxis.set_major_formatter(plt.FuncFormatter(lambda value, _: f"{abs(value):g} %"))
     axes.set_xlim(-1.35 * widest, 1.35 * widest)
-    axes.set_yticks(range(len(accuracy.methods)), [spoken(m) for m in accuracy.methods])
+    axes.set_yticks(range(len(accuracy.methods)), [m for m in accuracy.methods])
     axes.set_ylim(len(accuracy.methods) - 0.5, -0.5)
     axes.grid(False, axis="y")
 
@@ -101,7 +101,7 @@ def mesh_chart(accuracy):
 
 
 def title_of(accuracy):
-    found = {p: ", ".join(spoken(m) for m in watertight(accuracy, p)) for p in accuracy.precisions}
+    found = {p: ", ".join(m for m in watertight(accuracy, p)) for p in accuracy.precisions}
     if len(set(found.values())) == 1:
         found = {" and ".join(found): next(iter(found.values()))}
     return "; ".join(

@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 
 from study_charts.kernels import Kernel
 from study_charts.numbers import short
-from study_charts.style import FAINT, INK, PAPER, Chart, spoken
+from study_charts.style import FAINT, INK, PAPER, Chart
 
 
 @dataclasses.dataclass(frozen=True)
@@ -76,7 +76,7 @@ def watertight_prices(kernels, workload, safe):
 def groups_of(kernels, workload, safe):
     """Title → prices of all fixes of which there is one."""
     watertight, plains = watertight_prices(kernels, workload, safe)
-    against = " / ".join(spoken(k.method) for k in dict.fromkeys(plains.values()) if k)
+    against = " / ".join(k.method for k in dict.fromkeys(plains.values()) if k)
     groups = {f"watertight against the fastest that is not ({against})": watertight}
     groups |= {fix.title: factor_prices(kernels, workload, fix) for fix in FIXES}
     groups["double against float"] = precision_prices(kernels, workload)
@@ -99,7 +99,7 @@ def _facet(axes, prices, looks, title):
         end = price.percent.high if price.percent.high is not None else price.percent.value
         axes.annotate(f"{price.percent.value:+.1f}".replace("-", "−"), (end, y), (5, 0), textcoords="offset points", va="center", fontsize=6.5)
     axes.axvline(0, color=INK, linewidth=0.8)
-    axes.set_yticks(range(len(names)), [spoken(n) for n in names])
+    axes.set_yticks(range(len(names)), [n for n in names])
     axes.set_ylim(len(names) - 0.4, -0.6)
     axes.margins(x=0.12)
     axes.set_title(f"{title}\nmiddle of all: {middle(prices):+.1f} %".replace("-", "−"), fontsize=8.5)

@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 
 from study_charts.kernels import Kernel
 from study_charts.numbers import short
-from study_charts.style import Chart, spoken
+from study_charts.style import Chart
 
 
 def rate_chart(kernels, looks):
@@ -24,7 +24,7 @@ def rate_chart(kernels, looks):
         axes.set_ylabel("ns a test")
         axes.set_title(precision)
         _ticks(axes)
-        fastest = [spoken(kernels.base(precision, w)[0][0].method) for w in workloads if kernels.base(precision, w)]
+        fastest = [kernels.base(precision, w)[0][0].method for w in workloads if kernels.base(precision, w)]
         firsts.append(f"{precision}: {' → '.join(dict.fromkeys(fastest))}")
     handles = [looks.handle(panels[0, 0], m) for m in kernels.methods]
     figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=6, fontsize=8)
@@ -65,7 +65,7 @@ def time_bars(kernels, workload, chosen, with_change=False):
     for kernel in kernels.kernels(workload):
         if chosen(kernel, kernels.facts(kernel)):
             ns = kernels.ns(kernel, workload)
-            name = spoken(kernel.method) + (f", {kernel.change.split('=')[1]}" if with_change and kernel.change != "base" else "")
+            name = kernel.method + (f", {kernel.change.split('=')[1]}" if with_change and kernel.change != "base" else "")
             bars.append(Bar(name, kernel.method, ns.value, ns.low, ns.high))
     return sorted(bars, key=lambda bar: bar.value)
 
@@ -76,7 +76,7 @@ def error_bars(accuracy, precision):
     epsilon = {"float": 2.0**-23, "double": 2.0**-52}[precision]
     records = [accuracy.find(m, precision, case, accuracy.levels(case)[0][0]) for m in accuracy.methods]
     found = [(r["method"], r["t_error"]["p50"]) for r in records if r and r["t_error"]["count"]]
-    return sorted((Bar(spoken(m), m, p50 * epsilon * 1e6) for m, p50 in found), key=lambda bar: bar.value)
+    return sorted((Bar(m, m, p50 * epsilon * 1e6) for m, p50 in found), key=lambda bar: bar.value)
 
 
 def _is(precision, change="base", **variant):

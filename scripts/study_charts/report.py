@@ -8,7 +8,7 @@ import jinja2
 
 from study_charts.answers import answers, class_rows
 from study_charts.numbers import per_million, power, short
-from study_charts.style import spoken, variables
+from study_charts.style import variables
 
 # The page is to be sent by mail: what charts and tables leave of this is for pictures.
 PAGE_BYTES = 2_900_000
@@ -62,7 +62,7 @@ def speed_table(kernels):
         for kernel, _ in kernels.base(precision, kernels.headline()):
             estimates = [kernels.ns(kernel, w) for w in workloads]
             bytes_read = kernels.facts(kernel)["bytes"]
-            rows.append([spoken(kernel.method), precision, str(bytes_read)] + [_estimate(e) for e in estimates])
+            rows.append([kernel.method, precision, str(bytes_read)] + [_estimate(e) for e in estimates])
     note = "Median over rounds; in brackets the 95 % interval by order statistics, where there are six rounds or more."
     return Table("ns a test", ["method", "precision", "bytes a triangle"] + [str(w) for w in workloads], rows, note)
 
@@ -86,7 +86,7 @@ def break_table(accuracy, precision):
     rows = []
     for method in accuracy.methods:
         firsts = [accuracy.first_failure(method, precision, case) for case in accuracy.cases]
-        rows.append([spoken(method)] + ["never" if first is None else power(first) for first in firsts])
+        rows.append([method] + ["never" if first is None else power(first) for first in firsts])
     return Table(f"First difficulty with any failure, {precision}", ["method"] + accuracy.cases, rows)
 
 
@@ -103,10 +103,16 @@ def tables(accuracy, kernels):
 
 
 def pictures_of(runs, most):
-    """(pictures, how many are left out): the PNG files beside records of pixels, in the order of their names, as far as they fit into `most` bytes."""
-    found, left_out, size = [], 0, 0
-    for file in sorted(file for run in runs if run.kind == "pixels" for file in run.folder.glob("*.png")):
+    """(pictures, how many are left out): the PNG files of runs of pixels, in the order of their names, as far as they fit into `most` bytes.
+
+    Of those that are equal, byte by byte, as cores should make them, the first one.
+    """
+    found, left_out, size, seen = [], 0, 0, set()
+    for file in sorted(file for run in runs if run.kind == "pixels" for file in (run.folder / "pictures").glob("*.png")):
         text = base64.b64encode(file.read_bytes()).decode()
+        if text in seen:
+            continue
+        seen.add(text)
         if size + len(text) > most:
             left_out += 1
             continue

@@ -9,13 +9,13 @@ from study_charts.chart_difficulty import difficulty_charts
 from study_charts.chart_failures import failure_charts
 from study_charts.chart_map import map_charts
 from study_charts.chart_mesh import mesh_chart
-from study_charts.chart_pixels import pixel_chart
+from study_charts.chart_pixels import pixel_charts
 from study_charts.chart_price import price_chart
 from study_charts.chart_speed import bar_chart, rate_chart
 from study_charts.inline import Inline
 from study_charts.kernels import Kernels
 from study_charts.report import page
-from study_charts.runs import KINDS, in_order
+from study_charts.runs import SCHEMAS, in_order
 from study_charts.style import Looks, save, start
 
 NEEDED_BY = {
@@ -39,7 +39,7 @@ class Study:
 
 def study_of(runs):
     """The records of all runs together, kind by kind."""
-    of = {kind: [record for run in runs if run.kind == kind for record in run.records] for kind in KINDS}
+    of = {kind: [record for run in runs if run.kind == kind for record in run.records] for kind in SCHEMAS}
     kernels = Kernels(of["kernel"]) if any(r["valid"] for r in of["kernel"]) else None
     return Study(runs, Accuracy(of["accuracy"]) if of["accuracy"] else None, kernels, of["pixels"], of["atlas"])
 
@@ -48,9 +48,10 @@ def missing_of(study):
     """A sentence for each thing that is not there."""
     given = {run.kind for run in study.runs}
     missing = [f"No run of the kind “{kind}” was given: {what}." for kind, what in NEEDED_BY.items() if kind not in given]
-    invalid = sum(not r["valid"] for run in study.runs if run.kind == "kernel" for r in run.records)
-    if invalid:
-        missing.append(f"{invalid:,} rounds of kernels are not valid by their own records and are left out.")
+    for kind, what in (("kernel", "kernels"), ("pixels", "pictures")):
+        invalid = sum(not r["valid"] for run in study.runs if run.kind == kind for r in run.records)
+        if invalid:
+            missing.append(f"{invalid:,} rounds of {what} are not valid by their own records and are left out.")
     return missing
 
 
@@ -71,7 +72,7 @@ def charts_of(study):
         yield price_chart(kernels, looks, safe)
         yield rate_chart(kernels, looks)
         yield bar_chart(kernels, accuracy, looks)
-    yield pixel_chart(study.pixels, looks)
+    yield from pixel_charts(study.pixels, looks)
 
 
 def write_study(runs, out):

@@ -83,7 +83,7 @@ class Looks:
     def handle(self, axes, method, **more):
         """An entry for a legend."""
         look = self[method]
-        return axes.plot([], [], color=look.colour, marker=look.marker, markersize=6, label=spoken(method), **more)[0]
+        return axes.plot([], [], color=look.colour, marker=look.marker, markersize=6, label=method, **more)[0]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,11 +94,6 @@ class Chart:
     title: str
     text: str
     figure: object
-
-
-def spoken(name):
-    """A name as text has it: "woop watertight"."""
-    return name.replace("_", " ")
 
 
 def start():

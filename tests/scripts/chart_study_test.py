@@ -72,7 +72,8 @@ class Records(unittest.TestCase):
             ("", "has no record"),
             ("nonsense\n", ":1: is no record"),
             ('{"schema":1}\n', ":1: is no record"),
-            ('{"kind":"atlas","schema":2}\n', ":1: schema 2; these charts read schema 1"),
+            ('{"kind":"atlas","schema":2}\n', ":1: atlas of schema 2; these charts read schema 1"),
+            ('{"kind":"accuracy","schema":1}\n', ":1: accuracy of schema 1; these charts read schema 2"),
             ('{"kind":"soup","schema":1}\n', 'unknown kind "soup"; these charts read: accuracy'),
             ('{"kind":"atlas","schema":1}\n{"kind":"kernel","schema":1}\n', "2 kinds: atlas, kernel"),
         ):
@@ -197,11 +198,11 @@ class Answers(unittest.TestCase):
             made.kernel_record(method=m, round=n, seconds=made.seconds_of(v)) for m, v in (("quick_one", 4), ("tight_one", 5)) for n in range(6)
         ])  # fmt: skip
         fastest, safest, cost, breaks = (answer.sentences for answer in answers.answers(accuracy, kernels))
-        self.assertIn("quick one, 4 ns a test", fastest[0])
-        self.assertIn("only tight one lets no ray through", safest[0])
-        self.assertIn("tight one takes 25 % (25 to 25) more time than quick one", cost[0])
+        self.assertIn("quick_one, 4 ns a test", fastest[0])
+        self.assertIn("only tight_one lets no ray through", safest[0])
+        self.assertIn("tight_one takes 25 % (25 to 25) more time than quick_one", cost[0])
         self.assertEqual(breaks[0], "Float: every method holds in no case, and every one breaks in none.")
-        self.assertEqual(breaks[1:], ["quick one, float, of the other 1: W1 from 1.", "tight one, float, of the other 1: holds in all."])
+        self.assertEqual(breaks[1:], ["quick_one, float, of the other 1: W1 from 1.", "tight_one, float, of the other 1: holds in all."])
 
     def test_a_watertight_method_is_safer_than_one_that_breaks_less_often(self):
         broken = [made.accuracy_record(method="tight", case=c, mesh_rays=0, false_misses=500) for c in ("S1", "S2")]

@@ -1,5 +1,6 @@
 """Records made up for tests. Their numbers are drawn, nothing was measured."""
 
+import itertools
 import json
 import random
 
@@ -22,7 +23,8 @@ def error(p99, count=100):
 def accuracy_record(**members):
     """A faultless cell of W1; `members` replaces what a test is about."""
     record = {
-        "schema": 1, "kind": "accuracy", "experiment": "made-up", "cell": "", "seed": 1, "method": "wald", "change": "base",
+        "schema": 2, "kind": "accuracy", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
+        "reason": "", "method": "wald", "change": "base",
         "variant": VARIANT, "precision": "float", "case": "W1", "difficulty_of": "distance of the aim", "difficulty": 1.0,
         "level": 0, "rays": 1000, "mesh_rays": 1000, "trials": 4000, "hits": 1000, "boundary": 0, "false_hits": 0,
         "false_misses": 0, "nonfinite": 0, "missed_rays": 0, "extra": 0, "uncovered": 0, "t_error": error(1.5),
@@ -99,16 +101,15 @@ def kernel_records(methods=tuple(METHODS), rounds=8, seed=1):
 
 def pixel_records(methods=tuple(METHODS[:6]), seed=1):
     draw = random.Random(seed)
-    for scene in ("chair", "ice"):
-        for precision in ("float", "double"):
-            for method in methods:
-                wrong = 0 if precision == "double" else draw.choice([0, 3, 40, 700])
-                yield {
-                    "schema": 1, "kind": "pixels", "method": method, "precision": precision, "scene": scene,
-                    "wrong_pixels": wrong, "hole_pixels": wrong // 2, "pixels": 65536, "flip_mean": wrong * 1e-6,
-                    "max_difference": min(wrong, 255), "rmse": wrong * 1e-5, "rays": 65536,
-                    "seconds": [draw.uniform(0.02, 0.06) for _ in range(8)],
-                }  # fmt: skip
+    for scene, offset, precision, method in itertools.product(("chair", "ice"), (0.0, 1e3), ("float", "double"), methods):
+        wrong = 0 if precision == "double" else draw.choice([0, 3, 40, 700])
+        for number, core in itertools.product(range(7), ("scalar", "wide")):
+            yield {
+                "schema": 1, "kind": "pixels", "experiment": "made-up", "launch": 0, "round": number, "seed": 1, "valid": True,
+                "reason": "", "method": method, "precision": precision, "scene": scene, "offset": offset, "core": core,
+                "wrong_pixels": wrong, "hole_pixels": wrong // 2, "pixels": 65536, "flip_mean": wrong * 1e-6,
+                "max_difference": min(wrong, 255), "rmse": wrong * 1e-5, "rays": 65536, "seconds": [draw.uniform(0.02, 0.06)],
+            }  # fmt: skip
 
 
 def atlas_records(methods=tuple(METHODS[:4]), seed=1):
