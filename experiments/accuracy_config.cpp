@@ -65,7 +65,7 @@ class Parser : public TomlReader {
 template <class T>
 std::vector<size_t> chosen_subjects(const AccuracyConfig& config) {
   std::vector<size_t> chosen;
-  const auto& subjects = all_subjects<T>();
+  const auto& subjects = run_subjects<T>();
   for (const std::string& method : config.methods) {
     for (size_t i = 0; i < subjects.size(); ++i) {
       if (subjects[i].method == method && (config.star || subjects[i].change == "base")) chosen.push_back(i);
@@ -115,7 +115,7 @@ AccuracyPlan make_plan(const AccuracyConfig& config) {
     }
   }
   if (!config.star) return plan;
-  for (const Inapplicable& one : inapplicable_subjects()) {
+  for (const Inapplicable& one : inapplicable_here()) {
     const bool asked =
         std::any_of(config.precisions.begin(), config.precisions.end(),
                     [&](Precision precision) { return name_of(precision) == one.precision; }) &&

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/intersection/accuracy.h"
-#include "experiments/intersection/subjects.h"
+#include "experiments/intersection/run_subjects.h"
 
 namespace raysweep {
 

@@ -45,7 +45,8 @@ class Contract {
   [[nodiscard]] static Contract read(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<Clause>& clauses() const { return clauses_; }
-  /// The clause that binds the variant of the record; null if none does.
+  /// The clause that binds the variant of the record; null if none does. How products and sums are contracted
+  /// is the compiler's choice from place to place: nothing is promised of it.
   [[nodiscard]] const Clause* clause_of(const AccuracyRecord& record) const;
 
  private:

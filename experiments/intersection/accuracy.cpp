@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "experiments/intersection/subjects.h"
+#include "experiments/intersection/run_subjects.h"
 #include "experiments/intersection/tally.h"
 
 namespace raysweep {
@@ -43,7 +43,7 @@ void take_tally(AccuracyRecord& record, const Tally& tally) {
 /// All but what the method did.
 template <class T>
 AccuracyRecord blank_record(const AccuracyBatch& batch, const AccuracySettings& settings, size_t subject) {
-  const Subject<T>& s = all_subjects<T>()[subject];
+  const Subject<T>& s = run_subjects<T>()[subject];
   AccuracyRecord record;
   record.experiment = settings.experiment;
   record.seed = settings.seed;
@@ -68,7 +68,7 @@ std::vector<AccuracyRecord> records_of(const AccuracyBatch& batch, const Accurac
                                settings.ray_count);
   for (const size_t index : batch.subjects) {
     if (stops()) break;
-    const Subject<T>& subject = all_subjects<T>()[index];
+    const Subject<T>& subject = run_subjects<T>()[index];
     AccuracyRecord record = blank_record<T>(batch, settings, index);
     take_tally(record, tally_of(judged, subject.find_hits(judged.trials), subject.variant.output));
     records.push_back(std::move(record));
@@ -97,8 +97,8 @@ std::string cell_key(const AccuracyBatch& batch, size_t subject) {
     return fmt::format("{}/{}/{}/{}/{}", s.method, s.change, name_of(batch.precision), batch.one->id,
                        batch.one->difficulties[batch.level]);
   };
-  return batch.precision == Precision::float_precision ? key(all_subjects<float>()[subject])
-                                                       : key(all_subjects<double>()[subject]);
+  return batch.precision == Precision::float_precision ? key(run_subjects<float>()[subject])
+                                                       : key(run_subjects<double>()[subject]);
 }
 
 std::vector<AccuracyRecord> run_batch(const AccuracyBatch& batch, const AccuracySettings& settings,

@@ -22,7 +22,7 @@ struct AccuracyBatch {
   const Case* one = nullptr;
   size_t level = 0;  // index of the case's difficulties
   Precision precision{};
-  std::vector<size_t> subjects{};  // indices of `all_subjects` of that precision
+  std::vector<size_t> subjects{};  // indices of `run_subjects` of that precision
 };
 
 /// What a batch is run with. Each cell has `ray_count` rays; all draw them from the same `seed`.

@@ -49,7 +49,7 @@ struct Lists {
       subjects.push_back({Method::name, std::move(change), variant, find_hits<Method, variant, T>});
     } else {
       inapplicable.push_back(
-          {Method::name, std::move(change), precision_name<T>, why_not<Method, T>(variant)});
+          {Method::name, std::move(change), precision_name<T>, std::string(why_not<Method, T>(variant))});
     }
   }
 };

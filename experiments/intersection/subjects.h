@@ -1,6 +1,7 @@
 // Every method of the study in every variant, as functions over whole batches: what is measured is one list.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,14 +17,16 @@ struct Subject {
   std::string_view method;
   std::string change;  // what differs from the method's base variant: "division=late"; "base" for itself
   Variant variant;
-  Hits<T> (*find_hits)(const Trials<T>& trials);  // constants of triangles are computed ahead or in each test
+  std::function<Hits<T>(const Trials<T>&)>
+      find_hits;  // constants of triangles are computed ahead or in each test
 };
 
 /// A variant that a method does not have, and why not.
 struct Inapplicable {
   std::string_view method;
   std::string change;
-  std::string_view precision, reason;
+  std::string_view precision;
+  std::string reason;
 };
 
 /// The names of the methods, in the order of the study's list.
