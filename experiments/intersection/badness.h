@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "experiments/intersection/judged.h"
@@ -37,7 +37,11 @@ struct Badness {
   bool is_wrong = false;
   double how_much = 0;
 
-  friend auto operator<=>(const Badness&, const Badness&) = default;
+  friend bool operator==(const Badness&, const Badness&) = default;
+  friend bool operator<(const Badness& a, const Badness& b) {
+    return std::tie(a.is_wrong, a.how_much) < std::tie(b.is_wrong, b.how_much);
+  }
+  friend bool operator>(const Badness& a, const Badness& b) { return b < a; }
 };
 
 /// Less than all others: the question does not ask for what is looked for.

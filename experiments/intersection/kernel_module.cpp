@@ -28,10 +28,10 @@ std::unique_ptr<KernelPass> prepare(const Workload<T>& work) {
 
 /// A kernel of the base variant, with all but its shape and its function.
 template <class Method, class T>
-Kernel<T> blank(std::string change) {
+Kernel<T> blank(const std::string& change) {
   constexpr Variant base = base_variant<Method>();
   return {.method = Method::name,
-          .change = std::move(change),
+          .change = change,
           .variant = base,
           .layout = "aos",
           .contraction = is_contracted ? "on" : "off",

@@ -39,6 +39,7 @@ class Lanes {
   Lanes() = default;
   // Vector by vector: a struct of many lanes that is copied whole goes through the stack, by GCC 12.
   Lanes(const Lanes& other) { *this = other; }
+  // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): what is assigned to itself stays as it is
   Lanes& operator=(const Lanes& other) {
     for (size_t i = 0; i < part_count; ++i) parts_[i] = other.parts_[i];
     return *this;

@@ -125,7 +125,8 @@ Workload<float> packet_work(double origin_spread, uint64_t seed) {
     const Vec3d right = any_tangent(normalize(way), random), up = cross(normalize(way), right);
     const double step = length(way) / 256;
     for (uint32_t i = 0; i < widest_group; ++i) {
-      const Vec3d target = aim.target + right * (step * (i % side)) + up * (step * (i / side));
+      const uint32_t column = i % side, row = i / side;
+      const Vec3d target = aim.target + right * (step * column) + up * (step * row);
       const Vec3d origin = aim.origin + point_in_ball(random) * (step * origin_spread);
       work.rays.push_back(aimed(Vec3f(origin), Vec3f(target)));
     }

@@ -171,7 +171,7 @@ Worst<T> climb(Place<T> place, const Finder<T>& finder, const SearchSettings& se
     const auto worst = std::max_element(badnesses.begin(), badnesses.end());
     if (*worst > badness) in_vain = 0;
     // As bad is good enough to go on from: that leads across what is level.
-    if (*worst >= badness) {
+    if (!(*worst < badness)) {
       badness = *worst;
       place = mutants[static_cast<size_t>(worst - badnesses.begin())];
     }
