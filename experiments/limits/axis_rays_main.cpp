@@ -31,7 +31,8 @@ const Kind kinds[] = {{"slanted", normalize(Vec3f(0.01f, 0.02f, 1))},
 Scene boxes() {
   Mesh mesh;
   for (int i = 0; i < side * side * side; ++i) {
-    const Vec3d lower(i % side, i / side % side, i / (side * side));
+    const int x = i % side, y = i / side % side, z = i / (side * side);
+    const Vec3d lower(x, y, z);
     append_box(mesh, lower, lower + Vec3d(1, 1, 1));
   }
   Scene scene;
