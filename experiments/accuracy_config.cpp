@@ -22,9 +22,9 @@ std::vector<std::string_view> case_ids() {
   return ids;
 }
 
-class Parser : public TomlReader {
+class AccuracyParser : public TomlReader {
  public:
-  explicit Parser(AccuracyConfig& config) : TomlReader(config.file), config_(config) {}
+  explicit AccuracyParser(AccuracyConfig& config) : TomlReader(config.file), config_(config) {}
 
   void read(const toml::table& root) {
     check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
@@ -88,7 +88,7 @@ AccuracyConfig parse_accuracy_config(const std::string& text, const std::string&
   config.text = text;
   const toml::table root = read_toml(text, file, overrides);
   if (!overrides.empty()) config.text = to_text(root);
-  Parser parser(config);
+  AccuracyParser parser(config);
   parser.read(root);
   parser.refuse_errors();
   return config;

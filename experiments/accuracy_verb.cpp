@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/errors.h"
+#include "experiments/progress.h"
 #include "results/tables/accuracy_tables.h"
 #include "results/tables/contract_tables.h"
 #include "results/tables/tables.h"
@@ -35,10 +36,6 @@ int tell_end(const AccuracyExperiment& experiment, const AccuracyReport& report)
   fmt::print(stderr, "{}: interrupted: {} of {} cells are finished and kept; go on with --resume --out {}.\n",
              name, report.cells, experiment.plan.cell_count(), experiment.files->path().string());
   return exit_interrupted;
-}
-
-std::string minutes(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
 }
 
 }  // namespace
@@ -78,7 +75,7 @@ void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json) {
     return;
   }
   fmt::print("{}", plan_as_text(plan));
-  fmt::print("About {}.\n", minutes(estimate_seconds(plan)));
+  fmt::print("About {}.\n", duration_text(estimate_seconds(plan)));
 }
 
 void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json) {

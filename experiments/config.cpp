@@ -17,9 +17,9 @@ namespace raysweep {
 namespace {
 
 /// Walks a TOML document, collecting a Config and every error on the way.
-class Parser : public TomlReader {
+class PictureParser : public TomlReader {
  public:
-  Parser(Config& config, const MachineSize& machine)
+  PictureParser(Config& config, const MachineSize& machine)
       : TomlReader(config.file), config_(config), machine_(machine) {}
 
   void read(const toml::table& root) {
@@ -217,7 +217,7 @@ Config parse_config(const std::string& text, const std::string& file,
   config.text = text;
   const toml::table root = read_toml(text, file, overrides);
   if (!overrides.empty()) config.text = to_text(root);
-  Parser parser(config, machine);
+  PictureParser parser(config, machine);
   parser.read(root);
   parser.refuse_errors();
   return config;

@@ -37,9 +37,9 @@ void add_once(std::vector<Value>& list, const Value& value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-class Parser : public TomlReader {
+class KernelParser : public TomlReader {
  public:
-  Parser(KernelConfig& config, int processors)
+  KernelParser(KernelConfig& config, int processors)
       : TomlReader(config.file), config_(config), processors_(processors) {}
 
   void read(const toml::table& root) {
@@ -214,7 +214,7 @@ KernelConfig parse_kernel_config(const std::string& text, const std::string& fil
   config.text = text;
   const toml::table root = read_toml(text, file, overrides);
   if (!overrides.empty()) config.text = to_text(root);
-  Parser parser(config, processors);
+  KernelParser parser(config, processors);
   parser.read(root);
   parser.refuse_errors();
   return config;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/errors.h"
+#include "experiments/progress.h"
 #include "results/tables/kernel_tables.h"
 #include "results/tables/tables.h"
 
@@ -48,10 +49,6 @@ int tell_end(const KernelExperiment& experiment, const KernelReport& report) {
   return code;
 }
 
-std::string minutes(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
-
 }  // namespace
 
 int run_and_tell(const KernelExperiment& experiment, nlohmann::json* json) {
@@ -87,8 +84,8 @@ void dry_run_kernels(const KernelConfig& config, nlohmann::json* json) {
     json->back()["estimate_seconds"] = estimate_seconds(plan);
     return;
   }
-  fmt::print("{}About {}; the budget is {}.\n", plan_as_text(plan), minutes(estimate_seconds(plan)),
-             minutes(plan.measure.budget_seconds));
+  fmt::print("{}About {}; the budget is {}.\n", plan_as_text(plan), duration_text(estimate_seconds(plan)),
+             duration_text(plan.measure.budget_seconds));
 }
 
 void report_kernels(const std::filesystem::path& folder, nlohmann::json* json) {

@@ -20,9 +20,9 @@ std::vector<std::string_view> names_of(std::span<const Choice> choices) {
   return names;
 }
 
-class Parser : public TomlReader {
+class PixelsParser : public TomlReader {
  public:
-  explicit Parser(PixelsConfig& config) : TomlReader(config.file), config_(config) {}
+  explicit PixelsParser(PixelsConfig& config) : TomlReader(config.file), config_(config) {}
 
   void read(const toml::table& root) {
     check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
@@ -151,7 +151,7 @@ PixelsConfig parse_pixels_config(const std::string& text, const std::string& fil
   config.text = text;
   const toml::table root = read_toml(text, file, overrides);
   if (!overrides.empty()) config.text = to_text(root);
-  Parser parser(config);
+  PixelsParser parser(config);
   parser.read(root);
   parser.refuse_errors();
   return config;

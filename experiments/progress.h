@@ -26,4 +26,7 @@ class Progress {
 /// Seconds left, from the pace so far, never more than the budget leaves. Negative: not known yet.
 [[nodiscard]] double seconds_left(int done, int total, double elapsed, double budget);
 
+/// "45 s", "2.5 min".
+[[nodiscard]] std::string duration_text(double seconds);
+
 }  // namespace raysweep

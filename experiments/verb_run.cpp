@@ -11,6 +11,7 @@
 #include "experiments/errors.h"
 #include "experiments/estimate.h"
 #include "experiments/interrupt.h"
+#include "experiments/progress.h"
 #include "experiments/runner.h"
 #include "experiments/studies.h"
 #include "experiments/verbs.h"
@@ -193,10 +194,6 @@ std::vector<Experiment> prepare(std::vector<Config> configs, const RunOptions& o
   return list;
 }
 
-std::string minutes(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
-
 /// What would be launched, and how long it might take.
 void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohmann::json* json) {
   std::vector<Plan> plans;
@@ -219,8 +216,8 @@ void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohman
   if (json || configs.empty()) return;
   const TimeEstimate estimate = estimate_time(configs, plans, machine.size(), tools);
   fmt::print("About {} for the first rounds of {}, up to {} if nothing converges before; the budget is {}.\n",
-             minutes(estimate.first_rounds), configs.size() > 1 ? "all experiments" : "all cells",
-             minutes(estimate.all_rounds), minutes(budget));
+             duration_text(estimate.first_rounds), configs.size() > 1 ? "all experiments" : "all cells",
+             duration_text(estimate.all_rounds), duration_text(budget));
 }
 
 void drop_unanswerable(std::vector<Config>& configs, nlohmann::json& json, bool as_json) {

@@ -8,7 +8,7 @@
 
 namespace raysweep {
 
-struct Scene;  // whose planes have the name of a template that the study's methods use
+struct Scene;
 
 /// A ray and the triangle that it meets first.
 struct SampledHit {

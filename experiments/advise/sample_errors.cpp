@@ -69,12 +69,12 @@ Measurement measured(std::string_view method, const std::vector<SampledHit>& hit
     const Ray<T> ray = ray_of<T>(sampled);
     const Triangle<T> triangle = sampled.triangle.as<T>();
     const ExactHit exact = exact_hit(ray, triangle);
-    if (exact.verdict == Verdict::miss || std::isnan(exact.t)) continue;
+    if (exact.verdict == ExactVerdict::miss || std::isnan(exact.t)) continue;
     if (const auto hit = test(ray, triangle)) {
       errors.push_back(
           static_cast<double>(point_error(ray, triangle, *hit, exact.t, exact.beta, exact.gamma)));
     } else {
-      measurement.missed += exact.verdict == Verdict::hit;
+      measurement.missed += exact.verdict == ExactVerdict::hit;
     }
   }
   measurement.error = kept_error(std::move(errors));

@@ -25,12 +25,12 @@ Badness wrong_by(bool is_wrong, long double how_much) {
 }
 
 Badness badness_of_miss(const ExactHit& exact, bool is_hit) {
-  return exact.verdict == Verdict::hit ? wrong_by(!is_hit, depth_of(exact)) : not_asked();
+  return exact.verdict == ExactVerdict::hit ? wrong_by(!is_hit, depth_of(exact)) : not_asked();
 }
 
 Badness badness_of_hit(const ExactHit& exact, bool is_hit) {
   // Behind the origin a miss has no edge that decides.
-  const bool is_beside = exact.verdict == Verdict::miss && exact.t > 0 && depth_of(exact) < 0;
+  const bool is_beside = exact.verdict == ExactVerdict::miss && exact.t > 0 && depth_of(exact) < 0;
   return is_beside ? wrong_by(is_hit, -depth_of(exact)) : not_asked();
 }
 
@@ -62,7 +62,7 @@ bool has_corner(const Triangle<T>& triangle, const Vec3<T>& point) {
 template <class T>
 long double depth_beside_edge(const ExactHit& exact, const Triangle<T>& triangle, const Triangle<T>& other) {
   constexpr long double from_ends = 1.0L / 16, none = std::numeric_limits<long double>::quiet_NaN();
-  if (exact.verdict == Verdict::miss) return none;
+  if (exact.verdict == ExactVerdict::miss) return none;
   const Weights weights = weights_of(exact);
   long double depth = none;
   size_t shared = 0;
@@ -148,7 +148,7 @@ Badness badness_of(Wrong what, const Question<T>& question, const Hits<T>& hits)
   const ExactHit exact = exact_hit(question.ray, question.triangles[0]);
   if (what == Wrong::false_miss) return badness_of_miss(exact, hits[0].has_value());
   if (what == Wrong::false_hit) return badness_of_hit(exact, hits[0].has_value());
-  const bool is_right = exact.verdict == Verdict::hit && hits[0].has_value();
+  const bool is_right = exact.verdict == ExactVerdict::hit && hits[0].has_value();
   return is_right ? badness_of_value(what, exact, *hits[0]) : not_asked();
 }
 

@@ -11,7 +11,7 @@ JudgedTrials<T>::JudgedTrials(const Case& one, double difficulty, uint64_t seed,
     for (size_t i = trial.first; i < trial.first + trial.count; ++i) {
       const Triangle<T>& triangle = trials.triangles[trials.candidates[i]];
       // Most are misses, which the verdict alone tells sooner.
-      if (exact_verdict(trial.ray, triangle, trial.t_max) != Verdict::miss)
+      if (exact_verdict(trial.ray, triangle, trial.t_max) != ExactVerdict::miss)
         exact[i] = exact_hit(trial.ray, triangle, trial.t_max);
     }
   }

@@ -68,19 +68,19 @@ int beyond(const Problem& problem, const Integer& n, const Integer& d) {
 }
 
 template <class Integer>
-Verdict verdict_of(const Problem& problem, const Meeting<Integer>& m) {
+ExactVerdict verdict_of(const Problem& problem, const Meeting<Integer>& m) {
   const auto beyond_limit = [&](const Integer& n, const Integer& d) { return beyond(problem, n, d); };
   const int side = sign(m.determinant);
   if (side == 0) {
-    if (sign(m.volume) != 0 || is_zero(m.normal) || is_zero(m.direction)) return Verdict::miss;
-    return InPlane(m, beyond_limit).touches() ? Verdict::boundary : Verdict::miss;
+    if (sign(m.volume) != 0 || is_zero(m.normal) || is_zero(m.direction)) return ExactVerdict::miss;
+    return InPlane(m, beyond_limit).touches() ? ExactVerdict::boundary : ExactVerdict::miss;
   }
   const int least = side * (side > 0 ? std::min({sign(m.of_a), sign(m.of_b), sign(m.of_c), sign(m.volume)})
                                      : std::max({sign(m.of_a), sign(m.of_b), sign(m.of_c), sign(m.volume)}));
-  if (least < 0) return Verdict::miss;
+  if (least < 0) return ExactVerdict::miss;
   const int end = beyond_limit(m.volume, m.determinant);
-  if (end > 0) return Verdict::miss;
-  return least == 0 || end == 0 ? Verdict::boundary : Verdict::hit;
+  if (end > 0) return ExactVerdict::miss;
+  return least == 0 || end == 0 ? ExactVerdict::boundary : ExactVerdict::hit;
 }
 
 template <class Integer>
@@ -100,7 +100,7 @@ ExactHit hit_of(const Problem& problem) {
 
 /// What bounds of the errors leave no doubt of: a hit, or a miss of a plane that is met.
 template <class T>
-std::optional<Verdict> filtered(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
+std::optional<ExactVerdict> filtered(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
   using Point = Vec3<Bounded>;
   const auto point = [](const Vec3<T>& v) { return Point(Bounded(v.x), Bounded(v.y), Bounded(v.z)); };
   const Meeting<Bounded> m(point(ray.origin), point(ray.direction), point(triangle.a), point(triangle.b),
@@ -111,9 +111,10 @@ std::optional<Verdict> filtered(const Ray<T>& ray, const Triangle<T>& triangle, 
     is_certain = is_certain && value.is_certain();
     return value.is_certain() && value.sign() != m.determinant.sign();
   };
-  if (excludes(m.of_a) || excludes(m.of_b) || excludes(m.of_c) || excludes(m.volume)) return Verdict::miss;
-  if (!std::isinf(t_max) && excludes(m.determinant * Bounded(t_max) - m.volume)) return Verdict::miss;
-  return is_certain ? std::optional(Verdict::hit) : std::nullopt;
+  if (excludes(m.of_a) || excludes(m.of_b) || excludes(m.of_c) || excludes(m.volume))
+    return ExactVerdict::miss;
+  if (!std::isinf(t_max) && excludes(m.determinant * Bounded(t_max) - m.volume)) return ExactVerdict::miss;
+  return is_certain ? std::optional(ExactVerdict::hit) : std::nullopt;
 }
 
 template <class T>
@@ -136,8 +137,8 @@ ExactHit exact_hit(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
 }
 
 template <class T>
-Verdict exact_verdict(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
-  if (!is_usable(ray, triangle, t_max)) return Verdict::miss;
+ExactVerdict exact_verdict(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
+  if (!is_usable(ray, triangle, t_max)) return ExactVerdict::miss;
   // Most floats fit the lattice, which is then faster than the filter, by 1.6 times here; most doubles do
   // not.
   constexpr bool tries_lattice_first = std::is_same_v<T, float>;
@@ -155,7 +156,7 @@ Verdict exact_verdict(const Ray<T>& ray, const Triangle<T>& triangle, T t_max) {
 
 template ExactHit exact_hit(const Ray<float>&, const Triangle<float>&, float);
 template ExactHit exact_hit(const Ray<double>&, const Triangle<double>&, double);
-template Verdict exact_verdict(const Ray<float>&, const Triangle<float>&, float);
-template Verdict exact_verdict(const Ray<double>&, const Triangle<double>&, double);
+template ExactVerdict exact_verdict(const Ray<float>&, const Triangle<float>&, float);
+template ExactVerdict exact_verdict(const Ray<double>&, const Triangle<double>&, double);
 
 }  // namespace raysweep

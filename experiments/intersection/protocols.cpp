@@ -30,11 +30,11 @@ Triangle<float> any_triangle(Random& random) {
 }
 
 /// The target of the second point is at t = |target − origin|.
-struct Aim {
+struct AimedRay {
   Vec3d origin, target;
 
   /// Not nearer to each other than half the box's half edge.
-  explicit Aim(Random& random) {
+  explicit AimedRay(Random& random) {
     do {
       origin = point_in_box(random);
       target = point_in_box(random);
@@ -52,7 +52,7 @@ Workload<float> random_work(double, uint64_t seed) {
   Workload<float> work;
   add_random_triangles(work, random_triangle_count, random);
   for (uint32_t i = 0; i < random_ray_count; ++i) {
-    work.rays.push_back(Aim(random).ray());
+    work.rays.push_back(AimedRay(random).ray());
     work.visits.push_back({i, 0, random_triangle_count});
   }
   return work;
@@ -66,7 +66,7 @@ Triangle<float> missed_triangle(const Ray<float>& ray, Random& random) {
 }
 
 /// Any triangle, moved until a point of it with weights of 0.1 at least is on the way to the target.
-Triangle<float> hit_triangle(const Aim& aim, Random& random) {
+Triangle<float> hit_triangle(const AimedRay& aim, Random& random) {
   constexpr double least = 0.1;
   for (;;) {
     const Triangle<float> drawn = any_triangle(random);
@@ -97,7 +97,7 @@ Workload<float> hit_rate_work(double hit_rate, uint64_t seed) {
   Random random(seed);
   Workload<float> work;
   for (uint32_t i = 0; i < hit_rate_ray_count; ++i) {
-    const Aim aim(random);
+    const AimedRay aim(random);
     std::vector<Triangle<float>> run;
     const auto hits = static_cast<size_t>(std::lround(hit_rate * run_length));
     while (run.size() < hits) run.push_back(hit_triangle(aim, random));
@@ -120,7 +120,7 @@ Workload<float> packet_work(double origin_spread, uint64_t seed) {
   work.rays_a_visit = widest_group;
   add_random_triangles(work, random_triangle_count, random);
   for (uint32_t packet = 0; packet < packet_count; ++packet) {
-    const Aim aim(random);
+    const AimedRay aim(random);
     const Vec3d way = aim.target - aim.origin;
     const Vec3d right = any_tangent(normalize(way), random), up = cross(normalize(way), right);
     const double step = length(way) / 256;
@@ -146,7 +146,7 @@ Workload<float> cluster_work(double size, uint64_t seed) {
   Workload<float> work;
   add_random_triangles(work, count, random);
   for (uint32_t i = 0; i < count; ++i) {
-    work.rays.push_back(Aim(random).ray());
+    work.rays.push_back(AimedRay(random).ray());
     for (uint32_t first = 0; first < count; first += cluster) work.visits.push_back({i, first, cluster});
   }
   return work;

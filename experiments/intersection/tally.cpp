@@ -23,13 +23,13 @@ double as_double(long double error) {
 
 }  // namespace
 
-void Tally::count(bool is_hit, Verdict verdict, bool must_miss) {
+void Tally::count(bool is_hit, ExactVerdict verdict, bool must_miss) {
   ++trials;
-  if (must_miss) verdict = Verdict::miss;
-  hits += verdict == Verdict::hit;
-  boundary += verdict == Verdict::boundary;
-  false_hits += is_hit && verdict == Verdict::miss;
-  false_misses += !is_hit && verdict == Verdict::hit;
+  if (must_miss) verdict = ExactVerdict::miss;
+  hits += verdict == ExactVerdict::hit;
+  boundary += verdict == ExactVerdict::boundary;
+  false_hits += is_hit && verdict == ExactVerdict::miss;
+  false_misses += !is_hit && verdict == ExactVerdict::hit;
 }
 
 template <class T>
@@ -41,7 +41,7 @@ void Tally::measure(const JudgedHit<T>& judged, Output output) {
     ++nonfinite;
     return;
   }
-  if (exact.verdict == Verdict::miss || std::isnan(exact.t)) return;
+  if (exact.verdict == ExactVerdict::miss || std::isnan(exact.t)) return;
   const long double epsilon = std::numeric_limits<T>::epsilon();
   const long double of_t = std::abs(hit.t - exact.t);
   if (exact.t != 0) t_error.push_back(as_double(of_t / (epsilon * std::abs(exact.t))));
@@ -79,10 +79,10 @@ Tally tally_of(const JudgedTrials<T>& judged, const Hits<T>& hits, Output output
   for (const Trial<T>& trial : trials.rays) {
     size_t found = 0, expected = 0;
     for (size_t i = trial.first; i < trial.first + trial.count; ++i) {
-      const Verdict verdict = exact[i].verdict;
+      const ExactVerdict verdict = exact[i].verdict;
       tally.count(hits[i].has_value(), verdict, must_miss);
       found += hits[i].has_value();
-      expected += verdict != Verdict::miss && !must_miss;
+      expected += verdict != ExactVerdict::miss && !must_miss;
       if (!hits[i]) continue;
       const Triangle<T>& triangle = trials.triangles[trials.candidates[i]];
       tally.measure(JudgedHit<T>{trial.ray, triangle, *hits[i], exact[i]}, output);

@@ -44,7 +44,7 @@ struct Tally {
       off_plane;  // distance of O + tD from the plane / (ε·largest coordinate of it and the corners)
 
   /// One trial; `must_miss` turns every verdict into a miss.
-  void count(bool is_hit, Verdict verdict, bool must_miss);
+  void count(bool is_hit, ExactVerdict verdict, bool must_miss);
   /// The errors of a finite hit, of which the method gave what `output` says. A t* of 0 has no relative
   /// error, and no sample. Errors beyond the greatest double count as that.
   template <class T>

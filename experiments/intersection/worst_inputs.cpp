@@ -56,9 +56,9 @@ template <class T>
 std::string verdict_of(const Question<T>& question) {
   std::string text;
   for (const Triangle<T>& triangle : question.triangles) {
-    const Verdict verdict = exact_verdict(question.ray, triangle);
+    const ExactVerdict verdict = exact_verdict(question.ray, triangle);
     text += text.empty() ? "" : " ";
-    text += verdict == Verdict::hit ? "hit" : verdict == Verdict::miss ? "miss" : "boundary";
+    text += verdict == ExactVerdict::hit ? "hit" : verdict == ExactVerdict::miss ? "miss" : "boundary";
   }
   return text;
 }

@@ -26,7 +26,7 @@ struct AngleSum {
   template <class T>
   struct Prepared {
     Triangle<T> corners;
-    Plane<T> plane;
+    TrianglePlane<T> plane;
 
     template <class U>
     [[nodiscard]] Prepared<U> as() const {

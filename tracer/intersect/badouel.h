@@ -16,7 +16,7 @@ struct Badouel {
 
   template <class T>
   struct Prepared {
-    Plane<T> plane;
+    TrianglePlane<T> plane;
     T au, av, abu, abv, acu, acv;  // A, AB and AC in the projection
     Axis<T> axis;                  // that is dropped
 
@@ -30,7 +30,7 @@ struct Badouel {
 
   template <class T>
   [[nodiscard]] static Prepared<T> prepare(const Triangle<T>& t) {
-    const Plane<T> plane = plane_of(t);
+    const TrianglePlane<T> plane = plane_of(t);
     const Axis<T> axis = dominant_axis(plane.normal);
     const Projected<T> a = project(t.a, axis), ab = project(t.b - t.a, axis), ac = project(t.c - t.a, axis);
     return {plane, a.u, a.v, ab.u, ab.v, ac.u, ac.v, axis};

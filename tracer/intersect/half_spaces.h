@@ -17,7 +17,7 @@ struct HalfSpaces {
 
   template <class T>
   struct Prepared {
-    Plane<T> plane, ab, bc, ca;
+    TrianglePlane<T> plane, ab, bc, ca;
 
     template <class U>
     [[nodiscard]] Prepared<U> as() const {
@@ -27,10 +27,10 @@ struct HalfSpaces {
 
   template <class T>
   [[nodiscard]] static Prepared<T> prepare(const Triangle<T>& t) {
-    const Plane<T> plane = plane_of(t);
+    const TrianglePlane<T> plane = plane_of(t);
     const auto through = [&](const Vec3<T>& p, const Vec3<T>& q) {
       const Vec3<T> n = cross(plane.normal, q - p);
-      return Plane<T>{n, dot(n, p)};
+      return TrianglePlane<T>{n, dot(n, p)};
     };
     return {plane, through(t.a, t.b), through(t.b, t.c), through(t.c, t.a)};
   }

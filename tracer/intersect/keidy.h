@@ -18,7 +18,7 @@ struct Keidy {
 
   template <class T>
   struct Prepared {
-    Plane<T> plane;
+    TrianglePlane<T> plane;
     Vec3<T> a, ab, ac;
     T ab_ab, ab_ac, ac_ac;
 

@@ -17,7 +17,7 @@ struct PerpendicularPlanes {
 
   template <class T>
   struct Prepared {
-    Plane<T> plane, of_b, of_c;
+    TrianglePlane<T> plane, of_b, of_c;
 
     template <class U>
     [[nodiscard]] Prepared<U> as() const {
@@ -27,7 +27,7 @@ struct PerpendicularPlanes {
 
   template <class T>
   [[nodiscard]] static Prepared<T> prepare(const Triangle<T>& t) {
-    const Plane<T> plane = plane_of(t);
+    const TrianglePlane<T> plane = plane_of(t);
     const T scale = T(1) / dot(plane.normal, plane.normal);
     const Vec3<T> nb = cross(t.c - t.a, plane.normal) * scale, nc = cross(plane.normal, t.b - t.a) * scale;
     return {plane, {nb, dot(nb, t.a)}, {nc, dot(nc, t.a)}};

@@ -7,26 +7,26 @@ namespace raysweep {
 
 /// The plane normal·X = offset.
 template <class T>
-struct Plane {
+struct TrianglePlane {
   Vec3<T> normal;
   T offset;
 
   template <class U>
-  [[nodiscard]] Plane<U> as() const {
+  [[nodiscard]] TrianglePlane<U> as() const {
     return {Vec3<U>(normal), static_cast<U>(offset)};
   }
 };
 
 /// The triangle's plane; the normal is AB×AC.
 template <class T>
-[[nodiscard]] Plane<T> plane_of(const Triangle<T>& t) {
+[[nodiscard]] TrianglePlane<T> plane_of(const Triangle<T>& t) {
   const Vec3<T> n = cross(t.b - t.a, t.c - t.a);
   return {n, dot(n, t.a)};
 }
 
 /// The value of normal·X − offset·w at the point X/w.
 template <class V>
-[[nodiscard]] V side_of(const Plane<V>& plane, const Vec3<V>& x, const V& w) {
+[[nodiscard]] V side_of(const TrianglePlane<V>& plane, const Vec3<V>& x, const V& w) {
   return dot(plane.normal, x) - plane.offset * w;
 }
 

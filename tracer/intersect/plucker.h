@@ -31,7 +31,7 @@ struct Plucker {
 
   template <class T>
   struct Prepared {
-    Plane<T> plane;
+    TrianglePlane<T> plane;
     Line<T> ab, bc, ca;
 
     template <class U>

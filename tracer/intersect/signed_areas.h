@@ -17,7 +17,7 @@ struct SignedAreas {
   template <class T>
   struct Prepared {
     Triangle<T> corners;
-    Plane<T> plane;
+    TrianglePlane<T> plane;
 
     template <class U>
     [[nodiscard]] Prepared<U> as() const {

@@ -126,7 +126,7 @@ TYPED_TEST(OfPrecision, bounds_of_the_tracer_s_methods_are_near_to_what_happens)
     std::vector<double> bounds, errors;
     for (size_t i = 0; i < hits.size(); ++i) {  // each ray has its own triangle
       const ExactHit& exact = judged.exact[i];
-      if (!hits[i] || exact.verdict == Verdict::miss) continue;
+      if (!hits[i] || exact.verdict == ExactVerdict::miss) continue;
       const auto& [ray, triangle] = std::pair(judged.trials.rays[i].ray, judged.trials.triangles[i]);
       bounds.push_back(static_cast<double>(error_law_of<T>(subject.method).bound(ray, triangle).point));
       errors.push_back(

@@ -43,7 +43,7 @@ void check_law(std::string_view method, const JudgedTrials<T>& judged, const Hit
   for (const Trial<T>& trial : judged.trials.rays) {
     for (size_t i = trial.first; i < trial.first + trial.count; ++i) {
       const ExactHit& exact = judged.exact[i];
-      if (!hits[i] || exact.verdict == Verdict::miss || std::isnan(exact.t)) continue;
+      if (!hits[i] || exact.verdict == ExactVerdict::miss || std::isnan(exact.t)) continue;
       const Triangle<T>& triangle = judged.trials.triangles[judged.trials.candidates[i]];
       ++check.hits;
       check.broken += !keeps_law(trial.ray, triangle, *hits[i], exact, law.bound(trial.ray, triangle));

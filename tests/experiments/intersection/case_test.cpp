@@ -147,7 +147,7 @@ std::vector<long double> distances(std::string_view id, double difficulty, size_
     long double nearest = 1;
     for (uint32_t i = trial.first; i < trial.first + trial.count; ++i) {
       const ExactHit hit = exact_hit(trial.ray, trials.triangles[trials.candidates[i]]);
-      if (hit.verdict == Verdict::miss) continue;
+      if (hit.verdict == ExactVerdict::miss) continue;
       std::array<long double, 3> weights{hit.beta, hit.gamma, 1 - hit.beta - hit.gamma};
       std::sort(weights.begin(), weights.end());
       nearest = std::min(nearest, weights[weight]);
@@ -180,7 +180,7 @@ TYPED_TEST(Cases, rays_of_covered_cases_meet_a_candidate) {
       const Trials<T> trials = one.make<T>(difficulty, 9, 1000);
       std::map<const Trial<T>*, int> met;
       for_each_pair(trials, [&](const Trial<T>& trial, const Triangle<T>& triangle) {
-        met[&trial] += exact_verdict(trial.ray, triangle) != Verdict::miss;
+        met[&trial] += exact_verdict(trial.ray, triangle) != ExactVerdict::miss;
       });
       for (const auto& [trial, count] : met) ASSERT_GT(count, 0) << one.id << " at " << difficulty;
     }
@@ -196,7 +196,7 @@ TYPED_TEST(Cases, that_must_miss_have_no_plane_to_meet) {
       for_each_pair(one.make<T>(difficulty, 9, 500), [&](const Trial<T>& trial, const Triangle<T>& triangle) {
         const ExactHit hit = exact_hit(trial.ray, triangle, trial.t_max);
         ASSERT_TRUE(std::isnan(hit.t)) << one.id << " at " << difficulty;
-        boundaries += hit.verdict == Verdict::boundary;
+        boundaries += hit.verdict == ExactVerdict::boundary;
       });
       EXPECT_EQ(boundaries > 0, one.id == "D5") << one.id << ": in the plane, and only there";
     }
@@ -209,7 +209,7 @@ TYPED_TEST(Cases, with_a_ray_behind_or_empty_have_no_hit_and_rays_that_end_at_a_
     int count = 0;
     for_each_pair(case_of(id).make<T>(difficulty, 2, 1000),
                   [&](const Trial<T>& trial, const Triangle<T>& triangle) {
-                    count += exact_verdict(trial.ray, triangle, trial.t_max) == Verdict::hit;
+                    count += exact_verdict(trial.ray, triangle, trial.t_max) == ExactVerdict::hit;
                   });
     return count;
   };

@@ -18,8 +18,8 @@ class Oracle : public testing::Test {
   static Ray<T> down(T x, T y) { return {{x, y, 1}, {0, 0, -1}}; }
 
   /// Both ways to ask must agree.
-  static Verdict verdict(const Ray<T>& ray, const Triangle<T>& triangle, T t_max = infinity) {
-    const Verdict with_values = exact_hit(ray, triangle, t_max).verdict;
+  static ExactVerdict verdict(const Ray<T>& ray, const Triangle<T>& triangle, T t_max = infinity) {
+    const ExactVerdict with_values = exact_hit(ray, triangle, t_max).verdict;
     EXPECT_EQ(exact_verdict(ray, triangle, t_max), with_values);
     return with_values;
   }
@@ -57,35 +57,36 @@ TYPED_TEST_SUITE(Oracle, Reals);
 
 TYPED_TEST(Oracle, inside_is_a_hit_and_beside_or_behind_a_miss) {
   using T = TypeParam;
-  EXPECT_EQ(this->verdict(this->down(T(0.25), T(0.25)), this->plain()), Verdict::hit);
-  EXPECT_EQ(this->verdict(this->down(T(0.75), T(0.75)), this->plain()), Verdict::miss);
-  EXPECT_EQ(this->verdict({{T(0.25), T(0.25), 1}, {0, 0, 1}}, this->plain()), Verdict::miss);
-  EXPECT_EQ(this->verdict({{T(0.25), T(0.25), -1}, {0, 0, 1}}, this->plain()), Verdict::hit) << "from below";
+  EXPECT_EQ(this->verdict(this->down(T(0.25), T(0.25)), this->plain()), ExactVerdict::hit);
+  EXPECT_EQ(this->verdict(this->down(T(0.75), T(0.75)), this->plain()), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict({{T(0.25), T(0.25), 1}, {0, 0, 1}}, this->plain()), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict({{T(0.25), T(0.25), -1}, {0, 0, 1}}, this->plain()), ExactVerdict::hit)
+      << "from below";
 }
 
 TYPED_TEST(Oracle, edges_and_corners_are_boundary_and_an_ulp_beside_them_nothing_is) {
   using T = TypeParam;
   const T half(0.5), least = std::numeric_limits<T>::denorm_min();
   for (const auto& [x, y] : {std::pair<T, T>{0, half}, {half, 0}, {half, half}, {0, 0}, {1, 0}, {0, 1}})
-    EXPECT_EQ(this->verdict(this->down(x, y), this->plain()), Verdict::boundary) << x << ", " << y;
-  EXPECT_EQ(this->verdict(this->down(half, half - this->ulp / 4), this->plain()), Verdict::hit);
-  EXPECT_EQ(this->verdict(this->down(half, half + this->ulp / 2), this->plain()), Verdict::miss);
-  EXPECT_EQ(this->verdict(this->down(half, least), this->plain()), Verdict::hit);
-  EXPECT_EQ(this->verdict(this->down(half, -least), this->plain()), Verdict::miss);
+    EXPECT_EQ(this->verdict(this->down(x, y), this->plain()), ExactVerdict::boundary) << x << ", " << y;
+  EXPECT_EQ(this->verdict(this->down(half, half - this->ulp / 4), this->plain()), ExactVerdict::hit);
+  EXPECT_EQ(this->verdict(this->down(half, half + this->ulp / 2), this->plain()), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict(this->down(half, least), this->plain()), ExactVerdict::hit);
+  EXPECT_EQ(this->verdict(this->down(half, -least), this->plain()), ExactVerdict::miss);
 }
 
 TYPED_TEST(Oracle, both_ends_of_a_ray_are_boundary) {
   using T = TypeParam;
   const T quarter(0.25);
   const Ray<T> ray = this->down(quarter, quarter);
-  EXPECT_EQ(this->verdict(ray, this->plain(), 1), Verdict::boundary);
-  EXPECT_EQ(this->verdict(ray, this->plain(), 1 + this->ulp), Verdict::hit);
-  EXPECT_EQ(this->verdict(ray, this->plain(), 1 - this->ulp / 2), Verdict::miss);
-  EXPECT_EQ(this->verdict(ray, this->plain(), 0), Verdict::miss);
-  EXPECT_EQ(this->verdict(ray, this->plain(), -1), Verdict::miss);
-  EXPECT_EQ(this->verdict({{quarter, quarter, 0}, {0, 0, -1}}, this->plain()), Verdict::boundary);
-  EXPECT_EQ(this->verdict({{quarter, quarter, 0}, {0, 0, -1}}, this->plain(), 0), Verdict::boundary);
-  EXPECT_EQ(this->verdict({{quarter, quarter, 0}, {0, 0, -1}}, this->plain(), -1), Verdict::miss);
+  EXPECT_EQ(this->verdict(ray, this->plain(), 1), ExactVerdict::boundary);
+  EXPECT_EQ(this->verdict(ray, this->plain(), 1 + this->ulp), ExactVerdict::hit);
+  EXPECT_EQ(this->verdict(ray, this->plain(), 1 - this->ulp / 2), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict(ray, this->plain(), 0), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict(ray, this->plain(), -1), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict({{quarter, quarter, 0}, {0, 0, -1}}, this->plain()), ExactVerdict::boundary);
+  EXPECT_EQ(this->verdict({{quarter, quarter, 0}, {0, 0, -1}}, this->plain(), 0), ExactVerdict::boundary);
+  EXPECT_EQ(this->verdict({{quarter, quarter, 0}, {0, 0, -1}}, this->plain(), -1), ExactVerdict::miss);
 }
 
 TYPED_TEST(Oracle, parallel_is_a_miss_and_in_the_plane_only_who_touches_is_boundary) {
@@ -93,27 +94,27 @@ TYPED_TEST(Oracle, parallel_is_a_miss_and_in_the_plane_only_who_touches_is_bound
   const auto along = [&](T ox, T oy, T dx, T dy, T t_max) {
     return this->verdict({{ox, oy, 0}, {dx, dy, 0}}, this->plain(), t_max);
   };
-  EXPECT_EQ(this->verdict({{-1, T(0.25), 1}, {1, 0, 0}}, this->plain()), Verdict::miss) << "parallel";
+  EXPECT_EQ(this->verdict({{-1, T(0.25), 1}, {1, 0, 0}}, this->plain()), ExactVerdict::miss) << "parallel";
   const T forever = this->infinity;
-  EXPECT_EQ(along(-1, T(0.25), 1, 0, forever), Verdict::boundary) << "across";
-  EXPECT_EQ(along(-1, T(0.25), 1, 0, 1), Verdict::boundary) << "up to an edge";
-  EXPECT_EQ(along(-1, T(0.25), 1, 0, T(0.5)), Verdict::miss) << "ends before it";
-  EXPECT_EQ(along(-1, T(0.25), -1, 0, forever), Verdict::miss) << "leads away";
-  EXPECT_EQ(along(-1, T(1.5), 1, 0, forever), Verdict::miss) << "beside";
-  EXPECT_EQ(along(-1, 1, 1, 0, forever), Verdict::boundary) << "touches a corner";
-  EXPECT_EQ(along(-1, 0, 1, 0, forever), Verdict::boundary) << "follows an edge";
-  EXPECT_EQ(along(2, 0, 1, 0, forever), Verdict::miss) << "follows an edge's line, beyond it";
-  EXPECT_EQ(along(T(0.25), T(0.25), 1, 1, T(0.01)), Verdict::boundary) << "all of it inside";
-  EXPECT_EQ(along(T(0.25), 0, 1, 0, T(0.01)), Verdict::boundary) << "all of it on an edge";
+  EXPECT_EQ(along(-1, T(0.25), 1, 0, forever), ExactVerdict::boundary) << "across";
+  EXPECT_EQ(along(-1, T(0.25), 1, 0, 1), ExactVerdict::boundary) << "up to an edge";
+  EXPECT_EQ(along(-1, T(0.25), 1, 0, T(0.5)), ExactVerdict::miss) << "ends before it";
+  EXPECT_EQ(along(-1, T(0.25), -1, 0, forever), ExactVerdict::miss) << "leads away";
+  EXPECT_EQ(along(-1, T(1.5), 1, 0, forever), ExactVerdict::miss) << "beside";
+  EXPECT_EQ(along(-1, 1, 1, 0, forever), ExactVerdict::boundary) << "touches a corner";
+  EXPECT_EQ(along(-1, 0, 1, 0, forever), ExactVerdict::boundary) << "follows an edge";
+  EXPECT_EQ(along(2, 0, 1, 0, forever), ExactVerdict::miss) << "follows an edge's line, beyond it";
+  EXPECT_EQ(along(T(0.25), T(0.25), 1, 1, T(0.01)), ExactVerdict::boundary) << "all of it inside";
+  EXPECT_EQ(along(T(0.25), 0, 1, 0, T(0.01)), ExactVerdict::boundary) << "all of it on an edge";
 }
 
 TYPED_TEST(Oracle, no_area_and_no_direction_are_misses) {
   using T = TypeParam;
   const Ray<T> ray = this->down(0, 0);
-  EXPECT_EQ(this->verdict(ray, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}), Verdict::miss);
-  EXPECT_EQ(this->verdict(ray, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), Verdict::miss);
-  EXPECT_EQ(this->verdict(ray, {{-1, -1, 0}, {1, 1, 0}, {3, 3, 0}}), Verdict::miss);
-  EXPECT_EQ(this->verdict({{T(0.25), T(0.25), 0}, {0, 0, 0}}, this->plain()), Verdict::miss);
+  EXPECT_EQ(this->verdict(ray, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict(ray, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}}), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict(ray, {{-1, -1, 0}, {1, 1, 0}, {3, 3, 0}}), ExactVerdict::miss);
+  EXPECT_EQ(this->verdict({{T(0.25), T(0.25), 0}, {0, 0, 0}}, this->plain()), ExactVerdict::miss);
 }
 
 TYPED_TEST(Oracle, what_is_not_finite_is_a_flagged_miss) {
@@ -123,7 +124,7 @@ TYPED_TEST(Oracle, what_is_not_finite_is_a_flagged_miss) {
     EXPECT_TRUE(exact_hit<T>({{0, bad, 1}, {0, 0, -1}}, this->plain()).non_finite);
     EXPECT_TRUE(exact_hit<T>({{0, 0, 1}, {bad, 0, -1}}, this->plain()).non_finite);
     EXPECT_TRUE(exact_hit<T>(this->down(0, 0), {{0, 0, 0}, {1, bad, 0}, {0, 1, 0}}).non_finite);
-    EXPECT_EQ(this->verdict(this->down(0, 0), {{0, 0, 0}, {1, bad, 0}, {0, 1, 0}}), Verdict::miss);
+    EXPECT_EQ(this->verdict(this->down(0, 0), {{0, 0, 0}, {1, bad, 0}, {0, 1, 0}}), ExactVerdict::miss);
   }
   EXPECT_TRUE(exact_hit<T>(this->down(0, 0), this->plain(), nan).non_finite);
   EXPECT_FALSE(exact_hit<T>(this->down(0, 0), this->plain()).non_finite);
@@ -132,13 +133,13 @@ TYPED_TEST(Oracle, what_is_not_finite_is_a_flagged_miss) {
 TYPED_TEST(Oracle, values_tell_where_and_how_steeply_the_plane_is_met) {
   using T = TypeParam;
   const ExactHit hit = exact_hit<T>({{T(0.25), T(-2.5), 3}, {0, 3, -3}}, this->plain());
-  EXPECT_EQ(hit.verdict, Verdict::hit);
+  EXPECT_EQ(hit.verdict, ExactVerdict::hit);
   EXPECT_EQ(hit.t, 1.0L);
   EXPECT_EQ(hit.beta, 0.25L);
   EXPECT_EQ(hit.gamma, 0.5L);
   EXPECT_EQ(hit.rise, 3.0L);
   const ExactHit beside = exact_hit<T>(this->down(2, 4), this->plain());
-  EXPECT_EQ(beside.verdict, Verdict::miss);
+  EXPECT_EQ(beside.verdict, ExactVerdict::miss);
   EXPECT_EQ(beside.gamma, 4.0L);
 }
 
@@ -165,8 +166,8 @@ TYPED_TEST(Oracle, is_what_fractions_say_of_rays_to_edges_moved_by_ulps_and_ende
     ASSERT_NO_FATAL_FAILURE(this->expect_rational(ray, triangle, t_max));
     ++found[static_cast<int>(exact_verdict(ray, triangle, t_max))];
   }
-  EXPECT_GT(found[static_cast<int>(Verdict::miss)], 1000);
-  EXPECT_GT(found[static_cast<int>(Verdict::hit)], 1000);
+  EXPECT_GT(found[static_cast<int>(ExactVerdict::miss)], 1000);
+  EXPECT_GT(found[static_cast<int>(ExactVerdict::hit)], 1000);
 }
 
 TYPED_TEST(Oracle, is_what_fractions_say_on_a_coarse_lattice_where_boundaries_are_frequent) {
@@ -180,11 +181,11 @@ TYPED_TEST(Oracle, is_what_fractions_say_on_a_coarse_lattice_where_boundaries_ar
   for (int i = 0; i < 50'000; ++i) {
     const Vec3<T> a = point(), b = point(), c = point(), origin = point(), direction = point();
     const T t_max = i % 2 == 0 ? this->infinity : T(this->random_.index(3));
-    const Verdict verdict = this->verdict({origin, direction}, {a, b, c}, t_max);
+    const ExactVerdict verdict = this->verdict({origin, direction}, {a, b, c}, t_max);
     if (rational_hit<T>({origin, direction}, {a, b, c}, t_max).meets_plane) {
       ASSERT_NO_FATAL_FAILURE(this->expect_rational({origin, direction}, {a, b, c}, t_max));
     }
-    boundaries += verdict == Verdict::boundary;
+    boundaries += verdict == ExactVerdict::boundary;
   }
   EXPECT_GT(boundaries, 1000);
 }

@@ -34,10 +34,10 @@ Verdicts verdicts_of(const Workload<float>& work) {
   for (const Visit<float>& visit : work.visits) {
     for (uint32_t r = 0; r < work.rays_a_visit; ++r) {
       for (uint32_t i = 0; i < visit.triangle_count; ++i) {
-        const Verdict verdict = exact_verdict(work.rays[visit.first_ray + r],
-                                              work.triangles[visit.first_triangle + i], visit.t_max);
-        verdicts.hits += verdict == Verdict::hit;
-        verdicts.boundary += verdict == Verdict::boundary;
+        const ExactVerdict verdict = exact_verdict(work.rays[visit.first_ray + r],
+                                                   work.triangles[visit.first_triangle + i], visit.t_max);
+        verdicts.hits += verdict == ExactVerdict::hit;
+        verdicts.boundary += verdict == ExactVerdict::boundary;
       }
     }
   }

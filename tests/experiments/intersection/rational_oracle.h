@@ -11,7 +11,7 @@
 namespace raysweep {
 
 struct RationalHit {
-  Verdict verdict = Verdict::miss;
+  ExactVerdict verdict = ExactVerdict::miss;
   bool meets_plane = false;
   mpq_class t, beta, gamma;
 };
@@ -50,7 +50,7 @@ RationalHit rational_hit(const Ray<T>& ray, const Triangle<T>& triangle, T t_max
     return hit;
   const bool is_narrow =
       hit.t == 0 || alpha == 0 || hit.beta == 0 || hit.gamma == 0 || (ends && hit.t == mpq_class(t_max));
-  hit.verdict = is_narrow ? Verdict::boundary : Verdict::hit;
+  hit.verdict = is_narrow ? ExactVerdict::boundary : ExactVerdict::hit;
   return hit;
 }
 

@@ -16,7 +16,7 @@ namespace {
 template <class T>
 std::optional<TriangleHit<T>> oracle_method(const Ray<T>& ray, const Triangle<T>& triangle) {
   const ExactHit hit = exact_hit(ray, triangle);
-  if (hit.verdict == Verdict::miss || std::isnan(hit.t)) return std::nullopt;
+  if (hit.verdict == ExactVerdict::miss || std::isnan(hit.t)) return std::nullopt;
   return TriangleHit<T>{static_cast<T>(hit.t), static_cast<T>(hit.beta), static_cast<T>(hit.gamma)};
 }
 

@@ -97,7 +97,7 @@ TYPED_TEST(Search, finds_nothing_wrong_with_the_oracle_but_its_rounding) {
   const auto exact = [](const Trials<T>& trials) {
     return hits_of(trials, [&](const Trial<T>& trial, uint32_t triangle) -> std::optional<TriangleHit<T>> {
       const ExactHit hit = exact_hit(trial.ray, trials.triangles[triangle]);
-      if (hit.verdict == Verdict::miss || std::isnan(hit.t)) return {};
+      if (hit.verdict == ExactVerdict::miss || std::isnan(hit.t)) return {};
       return TriangleHit<T>{static_cast<T>(hit.t), static_cast<T>(hit.beta), static_cast<T>(hit.gamma)};
     });
   };
