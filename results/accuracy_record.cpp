@@ -1,16 +1,12 @@
 #include "results/accuracy_record.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "results/record.h"
 #include "results/record_lines.h"
+#include "results/variant_json.h"
 
 namespace raysweep {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRecord, division, reciprocal, order, edges, early_out, output, data)
 
 // NaN is written as null, and read back as what it was.
 void to_json(nlohmann::json& json, const ErrorRecord& e) {
@@ -28,7 +24,7 @@ namespace {
 
 /// Every field, named once for both directions.
 template <class Each>
-void for_each_field(Each&& each) {
+void for_each_accuracy_field(Each&& each) {
   using R = AccuracyRecord;
   each("schema", &R::schema), each("kind", &R::kind), each("experiment", &R::experiment);
   each("cell", &R::cell), each("launch", &R::launch), each("round", &R::round), each("seed", &R::seed);
@@ -48,22 +44,16 @@ void for_each_field(Each&& each) {
 
 nlohmann::json to_json(const AccuracyRecord& record) {
   nlohmann::json json;
-  for_each_field([&](const char* name, auto field) { json[name] = record.*field; });
+  for_each_accuracy_field([&](const char* name, auto field) { json[name] = record.*field; });
   return json;
 }
 
-std::string to_line(const AccuracyRecord& record) {
-  return to_json(record).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+std::string to_line(const AccuracyRecord& record) { return record_line(to_json(record)); }
 
 AccuracyRecord accuracy_record_from_json(const nlohmann::json& json) {
-  if (const auto kind = json.at("kind").get<std::string>(); kind != "accuracy")
-    throw RecordError(fmt::format("kind \"{}\" where \"accuracy\" was expected", kind));
-  if (const int schema = json.at("schema").get<int>(); schema != accuracy_schema)
-    throw RecordError(
-        fmt::format("schema {} is unknown here; this version reads {}", schema, accuracy_schema));
+  expect_record(json, "accuracy", accuracy_schema);
   AccuracyRecord record;
-  for_each_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
+  for_each_accuracy_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
   return record;
 }
 

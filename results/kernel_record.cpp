@@ -1,22 +1,18 @@
 #include "results/kernel_record.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "results/record.h"
 #include "results/record_lines.h"
+#include "results/variant_json.h"
 
 namespace raysweep {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRecord, division, reciprocal, order, edges, early_out, output, data)
 
 namespace {
 
 /// Every field but the parameter, which may be NaN, named once for both directions.
 template <class Each>
-void for_each_field(Each&& each) {
+void for_each_kernel_field(Each&& each) {
   using R = KernelRecord;
   each("schema", &R::schema), each("kind", &R::kind), each("experiment", &R::experiment);
   each("cell", &R::cell), each("launch", &R::launch), each("round", &R::round), each("seed", &R::seed);
@@ -34,22 +30,17 @@ void for_each_field(Each&& each) {
 
 nlohmann::json to_json(const KernelRecord& record) {
   nlohmann::json json;
-  for_each_field([&](const char* name, auto field) { json[name] = record.*field; });
+  for_each_kernel_field([&](const char* name, auto field) { json[name] = record.*field; });
   json["parameter"] = std::isnan(record.parameter) ? nlohmann::json() : nlohmann::json(record.parameter);
   return json;
 }
 
-std::string to_line(const KernelRecord& record) {
-  return to_json(record).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+std::string to_line(const KernelRecord& record) { return record_line(to_json(record)); }
 
 KernelRecord kernel_record_from_json(const nlohmann::json& json) {
-  if (const auto kind = json.at("kind").get<std::string>(); kind != "kernel")
-    throw RecordError(fmt::format("kind \"{}\" where \"kernel\" was expected", kind));
-  if (const int schema = json.at("schema").get<int>(); schema != kernel_schema)
-    throw RecordError(fmt::format("schema {} is unknown here; this version reads {}", schema, kernel_schema));
+  expect_record(json, "kernel", kernel_schema);
   KernelRecord record;
-  for_each_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
+  for_each_kernel_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
   if (const auto& parameter = json.at("parameter"); !parameter.is_null()) parameter.get_to(record.parameter);
   return record;
 }

@@ -1,11 +1,8 @@
 #include "results/pixels_record.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "results/record.h"
 #include "results/record_lines.h"
 
 namespace raysweep {
@@ -14,7 +11,7 @@ namespace {
 
 /// Every field, named once for both directions.
 template <class Each>
-void for_each_field(Each&& each) {
+void for_each_pixels_field(Each&& each) {
   using R = PixelsRecord;
   each("schema", &R::schema), each("kind", &R::kind), each("experiment", &R::experiment);
   each("cell", &R::cell), each("launch", &R::launch), each("round", &R::round), each("seed", &R::seed);
@@ -32,22 +29,17 @@ void for_each_field(Each&& each) {
 
 nlohmann::json to_json(const PixelsRecord& record) {
   nlohmann::json json;
-  for_each_field([&](const char* name, auto field) { json[name] = record.*field; });
+  for_each_pixels_field([&](const char* name, auto field) { json[name] = record.*field; });
   return json;
 }
 
-std::string to_line(const PixelsRecord& record) {
-  return to_json(record).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+std::string to_line(const PixelsRecord& record) { return record_line(to_json(record)); }
 
 PixelsRecord pixels_record_from_json(const nlohmann::json& json) {
-  if (const auto kind = json.at("kind").get<std::string>(); kind != "pixels")
-    throw RecordError(fmt::format("kind \"{}\" where \"pixels\" was expected", kind));
-  if (const int schema = json.at("schema").get<int>(); schema != pixels_schema)
-    throw RecordError(fmt::format("schema {} is unknown here; this version reads {}", schema, pixels_schema));
+  expect_record(json, "pixels", pixels_schema);
   PixelsRecord record;
   // NaN was written as null.
-  for_each_field([&](const char* name, auto field) {
+  for_each_pixels_field([&](const char* name, auto field) {
     const auto& value = json.at(name);
     if constexpr (std::is_same_v<decltype(field), double PixelsRecord::*>) {
       record.*field =

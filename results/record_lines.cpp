@@ -24,4 +24,15 @@ void for_each_record_line(const std::filesystem::path& file,
   }
 }
 
+std::string record_line(const nlohmann::json& record) {
+  return record.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void expect_record(const nlohmann::json& record, std::string_view kind, int schema) {
+  if (const auto found = record.at("kind").get<std::string>(); found != kind)
+    throw RecordError(fmt::format("kind \"{}\" where \"{}\" was expected", found, kind));
+  if (const int found = record.at("schema").get<int>(); found != schema)
+    throw RecordError(fmt::format("schema {} is unknown here; this version reads {}", found, schema));
+}
+
 }  // namespace raysweep

@@ -35,15 +35,16 @@ int sensitivity_radius(double pixels_per_degree) {
 }
 
 /// Of one term, without its factor.
-Kernel sensitivity_kernel(const Term& term, double pixels_per_degree) {
+FilterWeights sensitivity_kernel(const Term& term, double pixels_per_degree) {
   return kernel_of(sensitivity_radius(pixels_per_degree),
                    [&](double x) { return std::exp(-squared(pi * x / pixels_per_degree) / term.b); });
 }
 
 /// Of the sum of two terms over the picture's two dimensions, how much is the first's: not that of the sums
 /// along one dimension.
-double first_share(const Term& first, const Kernel& of_first, const Term& second, const Kernel& of_second) {
-  const auto volume = [](const Term& term, const Kernel& kernel) {
+double first_share(const Term& first, const FilterWeights& of_first, const Term& second,
+                   const FilterWeights& of_second) {
+  const auto volume = [](const Term& term, const FilterWeights& kernel) {
     return term.a * std::sqrt(pi / term.b) * squared(std::accumulate(kernel.begin(), kernel.end(), 0.0));
   };
   const double of_both = volume(first, of_first) + volume(second, of_second);
@@ -65,21 +66,21 @@ Shown shown(const Film& film) {
 
 /// What is left of it at the viewer's distance, in Hunt-adjusted L*a*b*.
 std::vector<Vec3d> perceived(const Shown& picture, double pixels_per_degree) {
-  Plane channels[3]{
+  ImagePlane channels[3]{
       {picture.width, picture.height}, {picture.width, picture.height}, {picture.width, picture.height}};
   for (size_t i = 0; i < picture.rgb.size(); ++i) {
     const Vec3d opponent = rgb_to_opponent(picture.rgb[i]);
     for (int channel = 0; channel < 3; ++channel) channels[channel].values[i] = opponent[channel];
   }
-  const Kernel wide = sensitivity_kernel(blue_yellow[0], pixels_per_degree),
-               narrow = sensitivity_kernel(blue_yellow[1], pixels_per_degree);
+  const FilterWeights wide = sensitivity_kernel(blue_yellow[0], pixels_per_degree),
+                      narrow = sensitivity_kernel(blue_yellow[1], pixels_per_degree);
   const double share = first_share(blue_yellow[0], wide, blue_yellow[1], narrow);
-  const auto blur = [](const Plane& plane, const Kernel& kernel) {
+  const auto blur = [](const ImagePlane& plane, const FilterWeights& kernel) {
     return filtered(plane, sum_to_one(kernel), sum_to_one(kernel));
   };
-  const Plane grey = blur(channels[0], sensitivity_kernel(luminance, pixels_per_degree)),
-              red = blur(channels[1], sensitivity_kernel(red_green, pixels_per_degree)),
-              blue_wide = blur(channels[2], wide), blue_narrow = blur(channels[2], narrow);
+  const ImagePlane grey = blur(channels[0], sensitivity_kernel(luminance, pixels_per_degree)),
+                   red = blur(channels[1], sensitivity_kernel(red_green, pixels_per_degree)),
+                   blue_wide = blur(channels[2], wide), blue_narrow = blur(channels[2], narrow);
   std::vector<Vec3d> colours;
   for (size_t i = 0; i < picture.rgb.size(); ++i) {
     const double blue = share * blue_wide.values[i] + (1 - share) * blue_narrow.values[i];
@@ -108,14 +109,14 @@ Features features(const Shown& picture, double pixels_per_degree) {
   const double deviation = feature_width / 2 * pixels_per_degree;  // in pixels
   const int radius = static_cast<int>(std::ceil(3 * deviation));
   const auto gauss = [&](double x) { return std::exp(-squared(x / deviation) / 2); };
-  const Kernel across = sum_to_one(kernel_of(radius, gauss)),
-               edge = signs_to_one(kernel_of(radius, [&](double x) { return -x * gauss(x); })),
-               point = signs_to_one(
-                   kernel_of(radius, [&](double x) { return (squared(x / deviation) - 1) * gauss(x); }));
-  Plane light(picture.width, picture.height);
+  const FilterWeights across = sum_to_one(kernel_of(radius, gauss)),
+                      edge = signs_to_one(kernel_of(radius, [&](double x) { return -x * gauss(x); })),
+                      point = signs_to_one(kernel_of(
+                          radius, [&](double x) { return (squared(x / deviation) - 1) * gauss(x); }));
+  ImagePlane light(picture.width, picture.height);
   std::ranges::transform(picture.rgb, light.values.begin(),
                          [](const Vec3d& rgb) { return rgb_to_relative_xyz(rgb).y; });
-  const auto strength = [&](const Kernel& along) {
+  const auto strength = [&](const FilterWeights& along) {
     std::vector<double> x = filtered(light, along, across).values;
     const std::vector<double> y = filtered(light, across, along).values;
     std::ranges::transform(x, y, x.begin(), [](double a, double b) { return std::hypot(a, b); });

@@ -9,11 +9,11 @@
 namespace raysweep {
 
 /// One number a pixel, in row order.
-struct Plane {
+struct ImagePlane {
   int width, height;
   std::vector<double> values;
 
-  Plane(int w, int h) : width(w), height(h), values(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
+  ImagePlane(int w, int h) : width(w), height(h), values(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
   [[nodiscard]] const double* row(int y) const {
     return values.data() + static_cast<size_t>(y) * static_cast<size_t>(width);
   }
@@ -23,23 +23,23 @@ struct Plane {
 };
 
 /// Weights from −radius to radius, an odd number of them.
-using Kernel = std::vector<double>;
+using FilterWeights = std::vector<double>;
 
 template <class Weight>
-[[nodiscard]] Kernel kernel_of(int radius, const Weight& weight) {
-  Kernel kernel;
+[[nodiscard]] FilterWeights kernel_of(int radius, const Weight& weight) {
+  FilterWeights kernel;
   for (int x = -radius; x <= radius; ++x) kernel.push_back(weight(static_cast<double>(x)));
   return kernel;
 }
 
-[[nodiscard]] inline Kernel sum_to_one(Kernel kernel) {
+[[nodiscard]] inline FilterWeights sum_to_one(FilterWeights kernel) {
   const double sum = std::accumulate(kernel.begin(), kernel.end(), 0.0);
   for (double& weight : kernel) weight /= sum;
   return kernel;
 }
 
 /// Positive weights sum to 1, negative ones to −1; there must be some of both.
-[[nodiscard]] inline Kernel signs_to_one(Kernel kernel) {
+[[nodiscard]] inline FilterWeights signs_to_one(FilterWeights kernel) {
   double above = 0, below = 0;
   for (const double weight : kernel) (weight > 0 ? above : below) += weight;
   for (double& weight : kernel) weight /= weight > 0 ? above : -below;
@@ -48,9 +48,10 @@ template <class Weight>
 
 /// `plane`, correlated with `across` along rows and `down` along columns; beyond its edges it goes on as it
 /// ends.
-[[nodiscard]] inline Plane filtered(const Plane& plane, const Kernel& across, const Kernel& down) {
-  const auto radius_of = [](const Kernel& kernel) { return static_cast<int>(kernel.size() / 2); };
-  Plane rows(plane.width, plane.height), result(plane.width, plane.height);
+[[nodiscard]] inline ImagePlane filtered(const ImagePlane& plane, const FilterWeights& across,
+                                         const FilterWeights& down) {
+  const auto radius_of = [](const FilterWeights& kernel) { return static_cast<int>(kernel.size() / 2); };
+  ImagePlane rows(plane.width, plane.height), result(plane.width, plane.height);
   std::vector<double> padded(static_cast<size_t>(plane.width) + across.size() - 1);
   for (int y = 0; y < plane.height; ++y) {
     const double* const row = plane.row(y);
