@@ -75,7 +75,7 @@ void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json) {
     return;
   }
   fmt::print("{}", plan_as_text(plan));
-  fmt::print("About {}.\n", duration_text(estimate_seconds(plan)));
+  fmt::print("About {}.\n", rough_duration(estimate_seconds(plan)));
 }
 
 void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json) {

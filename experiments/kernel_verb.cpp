@@ -84,8 +84,8 @@ void dry_run_kernels(const KernelConfig& config, nlohmann::json* json) {
     json->back()["estimate_seconds"] = estimate_seconds(plan);
     return;
   }
-  fmt::print("{}About {}; the budget is {}.\n", plan_as_text(plan), duration_text(estimate_seconds(plan)),
-             duration_text(plan.measure.budget_seconds));
+  fmt::print("{}About {}; the budget is {}.\n", plan_as_text(plan), rough_duration(estimate_seconds(plan)),
+             rough_duration(plan.measure.budget_seconds));
 }
 
 void report_kernels(const std::filesystem::path& folder, nlohmann::json* json) {

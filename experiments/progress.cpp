@@ -57,7 +57,7 @@ void Progress::show(int done, int total, double now, const std::string& label, c
   std::fflush(stderr);
 }
 
-std::string duration_text(double seconds) {
+std::string rough_duration(double seconds) {
   return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
 }
 

@@ -27,6 +27,6 @@ class Progress {
 [[nodiscard]] double seconds_left(int done, int total, double elapsed, double budget);
 
 /// "45 s", "2.5 min".
-[[nodiscard]] std::string duration_text(double seconds);
+[[nodiscard]] std::string rough_duration(double seconds);
 
 }  // namespace raysweep

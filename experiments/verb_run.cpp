@@ -216,8 +216,8 @@ void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohman
   if (json || configs.empty()) return;
   const TimeEstimate estimate = estimate_time(configs, plans, machine.size(), tools);
   fmt::print("About {} for the first rounds of {}, up to {} if nothing converges before; the budget is {}.\n",
-             duration_text(estimate.first_rounds), configs.size() > 1 ? "all experiments" : "all cells",
-             duration_text(estimate.all_rounds), duration_text(budget));
+             rough_duration(estimate.first_rounds), configs.size() > 1 ? "all experiments" : "all cells",
+             rough_duration(estimate.all_rounds), rough_duration(budget));
 }
 
 void drop_unanswerable(std::vector<Config>& configs, nlohmann::json& json, bool as_json) {
