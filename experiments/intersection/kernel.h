@@ -11,6 +11,14 @@
 #include "tracer/intersect/intersector.h"
 #include "tracer/intersect/variant.h"
 
+/// All that a pass calls becomes part of it: left to the compiler, calls cost more than some formulas. Not
+/// under sanitizers, whose code would then take many minutes to compile.
+#ifdef RAYSWEEP_CALLS_STAY
+#define RAYSWEEP_FLATTEN
+#else
+#define RAYSWEEP_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace raysweep {
 
 /// The most rays or triangles that a kernel takes at once.

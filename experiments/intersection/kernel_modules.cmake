@@ -2,6 +2,10 @@
 # templates would otherwise be shared between files whose processors or flags differ.
 set(kernel_source ${CMAKE_CURRENT_SOURCE_DIR}/kernel_module.cpp)
 
+if(RAYSWEEP_SANITIZE)
+  target_compile_definitions(intersection PRIVATE RAYSWEEP_CALLS_STAY)
+endif()
+
 # Linked last, since what is linked comes behind a target's own options: it takes back what all else is compiled with.
 add_library(raysweep_contraction INTERFACE)
 target_compile_options(raysweep_contraction INTERFACE -ffp-contract=fast)
@@ -12,20 +16,24 @@ function(raysweep_kernels name isa lanes contracted)
   target_link_libraries(kernels_${name} PRIVATE raysweep_flags PkgConfig::HWY $<$<BOOL:${contracted}>:raysweep_contraction>)
   target_compile_definitions(kernels_${name} PRIVATE
     RAYSWEEP_KERNELS_NAME="${isa}" RAYSWEEP_KERNELS_LANES=${lanes} RAYSWEEP_KERNELS_CONTRACTED=${contracted})
-  target_compile_options(kernels_${name} PRIVATE ${ARGN} -fvisibility=hidden ${RAYSWEEP_HOT_OPTIONS})
+  target_compile_options(kernels_${name} PRIVATE ${ARGN} -fvisibility=hidden)
+  if(RAYSWEEP_SANITIZE)
+    target_compile_definitions(kernels_${name} PRIVATE RAYSWEEP_CALLS_STAY)
+    target_compile_options(kernels_${name} PRIVATE -Og)
+  endif()
   set_target_properties(kernels_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${RAYSWEEP_MODULE_DIR})
   add_dependencies(raysweep kernels_${name})
 endfunction()
 
-# Under sanitizers one instruction set is enough.
+# Under sanitizers one module is enough, compiled as it goes quickest.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(avx2 -march=x86-64-v3 -maes -mpclmul)
   if(NOT RAYSWEEP_SANITIZE)
     raysweep_kernels(avx512 avx512 1 0 -march=x86-64-v4 -maes -mpclmul)
     raysweep_kernels(sse4 sse4 1 0 -march=x86-64-v2 -maes -mpclmul)
+    raysweep_kernels(contracted avx2 0 1 ${avx2})
   endif()
   raysweep_kernels(avx2 avx2 1 0 ${avx2})
-  raysweep_kernels(contracted avx2 0 1 ${avx2})
 else()
   raysweep_kernels(neon neon 1 0)
   raysweep_kernels(contracted baseline 0 1)

@@ -74,7 +74,7 @@ class PacketPass : public KernelPass {
     for (size_t first = 0; first < work.rays.size(); first += width) packets_.push_back(packet_at(first));
   }
 
-  [[nodiscard, gnu::flatten]] PassResult run(Answer* answers) override {
+  RAYSWEEP_FLATTEN [[nodiscard]] PassResult run(Answer* answers) override {
     LaneSums<variant, V> sums(answers);
     const auto all = V::first(width);
     const uint32_t packets = work_.rays_a_visit / width;
@@ -130,7 +130,7 @@ class BlockPass : public KernelPass {
     }
   }
 
-  [[nodiscard, gnu::flatten]] PassResult run(Answer* answers) override {
+  RAYSWEEP_FLATTEN [[nodiscard]] PassResult run(Answer* answers) override {
     LaneSums<variant, V> sums(answers);
     const auto all = V::first(width);
     size_t answered = 0;  // before this ray

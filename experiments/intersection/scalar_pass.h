@@ -23,7 +23,7 @@ class ScalarPass : public KernelPass {
     }
   }
 
-  [[nodiscard, gnu::flatten]] PassResult run(Answer* answers) override {
+  RAYSWEEP_FLATTEN [[nodiscard]] PassResult run(Answer* answers) override {
     uint64_t hits = 0;
     T sum = 0;
     size_t answered = 0;  // before this ray
