@@ -9,5 +9,5 @@ build_packages=(g++ cmake ninja-build pkg-config libfmt-dev libtomlplusplus-dev 
 optional_packages=(libtbb-dev clang libomp-dev libassimp-dev zlib1g-dev libbenchmark-dev libembree-dev
   python3-matplotlib python3-jinja2)
 test_packages=(libgtest-dev)
-# What .ci/run checks beyond the tests.
+# What .ci/run and .ci/long check beyond the tests.
 check_packages=(clang-format clang-tidy)
