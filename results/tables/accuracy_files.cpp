@@ -2,6 +2,7 @@
 
 #include "results/tables/accuracy_tables.h"
 #include "results/tables/contract_tables.h"
+#include "results/tables/table_files.h"
 #include "results/tables/write_file.h"
 
 namespace raysweep {
@@ -25,10 +26,7 @@ std::string accuracy_tables_as_text(const AccuracyData& data, const Contract& co
 void write_accuracy_tables(const AccuracyData& data, const Contract& contract,
                            const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const Table& table) {
-    write_file(folder / (name + ".md"), to_markdown(table));
-    write_file(folder / (name + ".csv"), to_csv(table));
-  };
+  const auto write = [&](const std::string& name, const Table& table) { write_table(folder, name, table); };
   for (const auto tables : {where_failing_tables, failure_tables, case_tables}) {
     for (const NamedTable& named : tables(data.results)) write(named.name, named.table);
   }

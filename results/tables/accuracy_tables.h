@@ -48,7 +48,8 @@ struct NamedTable {
 /// cases one by one stand in files.
 [[nodiscard]] std::string accuracy_tables_as_text(const AccuracyData& data, const Contract& contract);
 
-/// Writes all of them, as .md and .csv, and `cells.csv`, into `folder`, which is made.
+/// Writes all of them, as .md, .tex (LaTeX with booktabs) and .csv, and `cells.csv`, into `folder`, which is
+/// made.
 void write_accuracy_tables(const AccuracyData& data, const Contract& contract,
                            const std::filesystem::path& folder);
 

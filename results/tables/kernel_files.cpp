@@ -4,6 +4,7 @@
 
 #include "results/tables/kernel_tables.h"
 #include "results/tables/number_text.h"
+#include "results/tables/table_files.h"
 #include "results/tables/write_file.h"
 
 namespace raysweep {
@@ -106,10 +107,7 @@ std::string kernel_tables_as_text(const KernelData& data) {
 
 void write_kernel_tables(const KernelData& data, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const Table& table) {
-    write_file(folder / (name + ".md"), to_markdown(table));
-    write_file(folder / (name + ".csv"), to_csv(table));
-  };
+  const auto write = [&](const std::string& name, const Table& table) { write_table(folder, name, table); };
   for (const auto tables : {speed_tables, hit_rate_tables, factor_tables}) {
     for (const NamedTable& named : tables(data.results)) write(named.name, named.table);
   }

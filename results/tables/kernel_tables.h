@@ -33,7 +33,8 @@ namespace raysweep {
 /// What a terminal should show.
 [[nodiscard]] std::string kernel_tables_as_text(const KernelData& data);
 
-/// Writes all of them, as .md and .csv, and `cells.csv`, into `folder`, which is made.
+/// Writes all of them, as .md, .tex (LaTeX with booktabs) and .csv, and `cells.csv`, into `folder`, which is
+/// made.
 void write_kernel_tables(const KernelData& data, const std::filesystem::path& folder);
 
 }  // namespace raysweep

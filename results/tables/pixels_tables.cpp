@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "results/tables/number_text.h"
+#include "results/tables/table_files.h"
 #include "results/tables/write_file.h"
 
 namespace raysweep {
@@ -106,8 +107,7 @@ std::string pixels_tables_as_text(const PixelsData& data) {
 void write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const Table table = pixels_table(data.rows);
-  write_file(folder / "pixels.md", to_markdown(table));
-  write_file(folder / "pixels.csv", to_csv(table));
+  write_table(folder, "pixels", table);
   write_file(folder / "cells.csv", to_csv(pixels_data(data.rows)));
 }
 

@@ -1,4 +1,4 @@
-// A table of text, and the three ways to write it.
+// A table of text, and the ways to write it.
 #pragma once
 
 #include <string>
@@ -21,6 +21,9 @@ struct Table {
 
 /// GitHub-flavoured Markdown.
 [[nodiscard]] std::string to_markdown(const Table& table);
+
+/// A LaTeX `table`, with rules of the package booktabs.
+[[nodiscard]] std::string to_latex(const Table& table);
 
 /// RFC 4180, without the caption.
 [[nodiscard]] std::string to_csv(const Table& table);

@@ -5,6 +5,7 @@
 #include "results/hyper_threading.h"
 #include "results/tables/frame_tables.h"
 #include "results/tables/scaling_laws_tables.h"
+#include "results/tables/table_files.h"
 #include "results/tables/write_file.h"
 
 namespace raysweep {
@@ -39,36 +40,24 @@ void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
                   const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   // What this report has nothing to say about must not stay from an earlier one.
-  for (const char* name : {"laws", "schedule", "chunks", "hyper-threading", "power"}) {
-    for (const char* suffix : {".md", ".csv"}) std::filesystem::remove(folder / (std::string(name) + suffix));
-  }
-  write_file(folder / "scaling.md", to_markdown(scaling_table(rows, context)));
-  write_file(folder / "scaling.csv", to_csv(scaling_data(rows, context.floor)));
+  for (const char* name : {"laws", "schedule", "hyper-threading", "power"}) remove_table(folder, name);
+  std::filesystem::remove(folder / "chunks.csv");
+  write_table(folder, "scaling", scaling_table(rows, context), scaling_data(rows, context.floor));
   const auto frames = frame_times(rows);
-  write_file(folder / "frames.md", to_markdown(frame_table(rows, frames)));
-  write_file(folder / "frames.csv", to_csv(frame_data(rows, frames)));
-  if (!scaling_groups(rows).empty()) {
-    write_file(folder / "laws.md", to_markdown(scaling_laws_table(rows)));
-    write_file(folder / "laws.csv", to_csv(scaling_laws_data(rows)));
-  }
+  write_table(folder, "frames", frame_table(rows, frames), frame_data(rows, frames));
+  if (!scaling_groups(rows).empty())
+    write_table(folder, "laws", scaling_laws_table(rows), scaling_laws_data(rows));
   if (const auto schedule = schedule_table(rows)) {
-    write_file(folder / "schedule.md", to_markdown(*schedule));
-    write_file(folder / "schedule.csv", to_csv(schedule_data(rows)));
+    write_table(folder, "schedule", *schedule, schedule_data(rows));
     write_file(folder / "chunks.csv", to_csv(chunk_data(rows)));
   }
   if (const auto groups = hyper_threading_groups(rows); !groups.empty()) {
-    write_file(folder / "hyper-threading.md",
-               to_markdown(hyper_threading_table(rows, groups, context.floor)));
-    write_file(folder / "hyper-threading.csv", to_csv(hyper_threading_data(groups)));
+    write_table(folder, "hyper-threading", hyper_threading_table(rows, groups, context.floor),
+                hyper_threading_data(groups));
   }
-  if (!context.power.empty()) {
-    write_file(folder / "power.md", to_markdown(power_table(context.power)));
-    write_file(folder / "power.csv", to_csv(power_data(context.power)));
-  }
-  for (const ModeTable& made : mode_tables(rows)) {
-    write_file(folder / (made.name + ".md"), to_markdown(made.table));
-    write_file(folder / (made.name + ".csv"), to_csv(made.table));
-  }
+  if (!context.power.empty())
+    write_table(folder, "power", power_table(context.power), power_data(context.power));
+  for (const ModeTable& made : mode_tables(rows)) write_table(folder, made.name, made.table);
 }
 
 }  // namespace raysweep

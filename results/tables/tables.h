@@ -57,8 +57,9 @@ struct ModeTable {
 /// Everything a terminal should show.
 [[nodiscard]] std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext& context);
 
-/// Writes `scaling`, `frames`, `laws`, `schedule`, `hyper-threading` and the mode tables, as .md and .csv,
-/// and `chunks.csv`, into `folder`, which is made; of what a run has nothing to say about there is no file.
+/// Writes `scaling`, `frames`, `laws`, `schedule`, `hyper-threading` and the mode tables, as .md, .tex (LaTeX
+/// with booktabs) and .csv, and `chunks.csv`, into `folder`, which is made; of what a run has nothing to say
+/// about there is no file.
 void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
                   const std::filesystem::path& folder);
 
