@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "experiments/claim_scopes.h"
 #include "experiments/config_toml.h"
+#include "experiments/read_claims.h"
 #include "experiments/toml_reader.h"
 #include "schedulers/binding.h"
 
@@ -27,9 +29,9 @@ class AccuracyParser : public TomlReader {
   explicit AccuracyParser(AccuracyConfig& config) : TomlReader(config.file), config_(config) {}
 
   void read(const toml::table& root) {
-    check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
-    config_.settings.experiment = experiment_name(root);
-    config_.title = text_or(root, "title", config_.settings.experiment);
+    const ConfigHead of_all = head(root, {"sweep", "measure"});
+    config_.settings.experiment = of_all.experiment;
+    config_.title = of_all.title;
     const toml::table none;
     const toml::table* const sweep = section(root, "sweep");
     read_sweep(sweep ? *sweep : none);
@@ -90,6 +92,7 @@ AccuracyConfig parse_accuracy_config(const std::string& text, const std::string&
   if (!overrides.empty()) config.text = to_text(root);
   AccuracyParser parser(config);
   parser.read(root);
+  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
   parser.refuse_errors();
   return config;
 }
@@ -103,7 +106,7 @@ size_t AccuracyPlan::cell_count() const {
 AccuracyPlan make_plan(const AccuracyConfig& config) {
   const size_t threads =
       config.threads > 0 ? static_cast<size_t>(config.threads) : allowed_processors().size();
-  AccuracyPlan plan{config.title, config.settings, threads, {}, {}};
+  AccuracyPlan plan{config.title, config.settings, threads, config.claims.sheet, {}, {}};
   const auto of_floats = chosen_subjects<float>(config), of_doubles = chosen_subjects<double>(config);
   for (const std::string& id : config.cases) {
     const Case& one = case_of(id);
@@ -142,6 +145,7 @@ nlohmann::json to_json(const AccuracyPlan& plan) {
                                 {"precision", one.precision},
                                 {"reason", one.reason}});
   }
+  add_to_plan(json, plan.sheet);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/claims_config.h"
 #include "experiments/intersection/accuracy.h"
 #include "experiments/intersection/run_subjects.h"
 
@@ -18,6 +19,7 @@ struct AccuracyConfig {
   std::vector<Precision> precisions;
   bool star = false;  // all variants that differ from the base in one factor; else the base alone
   int threads = 0;    // 0: as many as there are processors that this process may use
+  ClaimsConfig claims;
 };
 
 /// Whether a config is of this kind. Throws RequestError for what is no TOML.
@@ -34,6 +36,7 @@ struct AccuracyPlan {
   std::string title;
   AccuracySettings settings;
   size_t threads;  // to run batches on, which changes no record
+  ClaimSheet sheet;
   std::vector<AccuracyBatch> batches;
   std::vector<Inapplicable> left_out;  // variants that were asked for, which their methods do not have
 

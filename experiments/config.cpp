@@ -7,8 +7,10 @@
 #include <sstream>
 
 #include "experiments/cell_factors.h"
+#include "experiments/claim_scopes.h"
 #include "experiments/config_toml.h"
 #include "experiments/errors.h"
+#include "experiments/read_claims.h"
 #include "experiments/toml_reader.h"
 #include "tracer/scene/scenes.h"
 
@@ -23,9 +25,9 @@ class PictureParser : public TomlReader {
       : TomlReader(config.file), config_(config), machine_(machine) {}
 
   void read(const toml::table& root) {
-    check_keys(root, "", {"experiment", "title", "kind", "scene", "sweep", "measure"});
-    config_.experiment = experiment_name(root);
-    config_.title = text_or(root, "title", config_.experiment);
+    const ConfigHead of_all = head(root, {"scene", "sweep", "measure"});
+    config_.experiment = of_all.experiment;
+    config_.title = of_all.title;
     if (const std::string kind = text_or(root, "kind", "picture"); kind != "picture") {
       fail(root["kind"],
            fmt::format("unknown kind \"{}\"; built here: picture, accuracy, kernel, pixels", kind));
@@ -219,6 +221,7 @@ Config parse_config(const std::string& text, const std::string& file,
   if (!overrides.empty()) config.text = to_text(root);
   PictureParser parser(config, machine);
   parser.read(root);
+  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
   parser.refuse_errors();
   return config;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/cell.h"
+#include "experiments/claims_config.h"
 #include "schedulers/placement.h"
 
 namespace raysweep {
@@ -36,6 +37,7 @@ struct Config {
   std::vector<std::string> modes;  // empty: the default settings
   std::vector<SweepAxis> axes;
   Measure measure;
+  ClaimsConfig claims;
   std::string not_here;  // why this machine cannot answer the question, as a sentence; empty if it can
 };
 

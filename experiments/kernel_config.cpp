@@ -7,8 +7,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "experiments/claim_scopes.h"
 #include "experiments/config_toml.h"
 #include "experiments/intersection/protocols.h"
+#include "experiments/read_claims.h"
 #include "experiments/toml_reader.h"
 #include "tracer/scene/scenes.h"
 
@@ -43,9 +45,9 @@ class KernelParser : public TomlReader {
       : TomlReader(config.file), config_(config), processors_(processors) {}
 
   void read(const toml::table& root) {
-    check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
-    config_.experiment = experiment_name(root);
-    config_.title = text_or(root, "title", config_.experiment);
+    const ConfigHead of_all = head(root, {"sweep", "measure"});
+    config_.experiment = of_all.experiment;
+    config_.title = of_all.title;
     const toml::table none;
     const toml::table* const sweep = section(root, "sweep");
     read_sweep(sweep ? *sweep : none);
@@ -216,12 +218,13 @@ KernelConfig parse_kernel_config(const std::string& text, const std::string& fil
   if (!overrides.empty()) config.text = to_text(root);
   KernelParser parser(config, processors);
   parser.read(root);
+  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
   parser.refuse_errors();
   return config;
 }
 
 KernelPlan make_plan(const KernelConfig& config) {
-  KernelPlan plan{config.experiment, config.title, config.measure, {}, {}, {}};
+  KernelPlan plan{config.experiment, config.title, config.measure, config.claims.sheet, {}, {}, {}};
   for (const std::string& name : config.protocols) {
     for (const KernelTests& tests : tests_of(*find_protocol(name), config)) plan.tests.push_back(tests);
   }
@@ -265,6 +268,7 @@ nlohmann::json to_json(const KernelPlan& plan) {
                                 {"precision", one.precision},
                                 {"reason", one.reason}});
   }
+  add_to_plan(json, plan.sheet);
   return json;
 }
 

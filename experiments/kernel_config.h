@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/claims_config.h"
 #include "experiments/intersection/accuracy.h"
 #include "experiments/intersection/subjects.h"
 
@@ -30,6 +31,7 @@ struct KernelConfig {
   std::vector<int> threads;
   bool star = false;  // all kernels that differ from the base in one factor; else the base alone
   KernelMeasure measure;
+  ClaimsConfig claims;
 };
 
 /// Whether a config is of this kind. Throws RequestError for what is no TOML.
@@ -60,6 +62,7 @@ struct KernelCell {
 struct KernelPlan {
   std::string experiment, title;
   KernelMeasure measure;
+  ClaimSheet sheet;
   std::vector<KernelTests> tests;
   std::vector<KernelCell> cells;
   std::vector<Inapplicable> left_out;  // variants that were asked for, which their methods do not have

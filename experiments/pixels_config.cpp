@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "experiments/claim_scopes.h"
 #include "experiments/config_toml.h"
+#include "experiments/read_claims.h"
 #include "experiments/toml_reader.h"
 #include "tracer/scene/scenes.h"
 
@@ -25,9 +27,9 @@ class PixelsParser : public TomlReader {
   explicit PixelsParser(PixelsConfig& config) : TomlReader(config.file), config_(config) {}
 
   void read(const toml::table& root) {
-    check_keys(root, "", {"experiment", "title", "kind", "sweep", "measure"});
-    config_.settings.experiment = experiment_name(root);
-    config_.title = text_or(root, "title", config_.settings.experiment);
+    const ConfigHead of_all = head(root, {"sweep", "measure"});
+    config_.settings.experiment = of_all.experiment;
+    config_.title = of_all.title;
     const toml::table none;
     const toml::table* const sweep = section(root, "sweep");
     read_sweep(sweep ? *sweep : none);
@@ -153,6 +155,7 @@ PixelsConfig parse_pixels_config(const std::string& text, const std::string& fil
   if (!overrides.empty()) config.text = to_text(root);
   PixelsParser parser(config);
   parser.read(root);
+  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
   parser.refuse_errors();
   return config;
 }
@@ -170,6 +173,7 @@ nlohmann::json to_json(const PixelsConfig& config) {
   for (const PixelsGroup& group : config.groups) {
     for (const PixelsSubject& subject : group.subjects) json["cells"].push_back(cell_key(group, subject));
   }
+  add_to_plan(json, config.claims.sheet);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/claims_config.h"
 #include "tracer/settings.h"
 
 namespace raysweep {
@@ -36,6 +37,7 @@ struct PixelsConfig {
   PixelsSettings settings;
   std::vector<PixelsGroup> groups;    // scene by scene, offset by offset, mode by mode
   std::vector<std::string> left_out;  // subjects that do not exist, each with its reason
+  ClaimsConfig claims{};
 
   [[nodiscard]] size_t cell_count() const;
 };

@@ -83,6 +83,7 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
   plan.rounds = config.measure.launches;
   plan.max_rounds = config.measure.max_launches;
   plan.seed = config.measure.seed;
+  plan.sheet = config.claims.sheet;
   Planner planner(plan, machine);
   const int lights = own_light_count(config.scene);
   int most = 0;
@@ -144,6 +145,7 @@ nlohmann::json to_json(const Plan& plan) {
     json["cells"].push_back(to_json(blank));
   }
   for (int round = 0; round < plan.rounds; ++round) json["order"].push_back(plan.order(round));
+  add_to_plan(json, plan.sheet);
   return json;
 }
 

@@ -26,6 +26,7 @@ struct Plan {
   std::vector<PlannedCell> cells;
   int rounds = 0, max_rounds = 0;  // in which all cells take part; in which those not yet converged do
   uint64_t seed = 0;
+  ClaimSheet sheet{};
 
   /// Indices of all cells in the random order of `round`.
   [[nodiscard]] std::vector<size_t> order(int round) const;

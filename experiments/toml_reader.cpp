@@ -18,6 +18,15 @@ void TomlReader::refuse_errors() const {
   if (!errors_.empty()) throw RequestError(errors_.substr(0, errors_.size() - 1));
 }
 
+ConfigHead TomlReader::head(const toml::table& root, const std::vector<std::string_view>& sections) {
+  std::vector<std::string_view> keys{"experiment", "title", "kind"};
+  keys.insert(keys.end(), sections.begin(), sections.end());
+  keys.insert(keys.end(), {"claim", "published", "quick"});
+  check_keys(root, "", keys);
+  const std::string experiment = experiment_name(root);
+  return {experiment, text_or(root, "title", experiment)};
+}
+
 std::string TomlReader::experiment_name(const toml::table& root) {
   std::string name = text_or(root, "experiment", "");
   if (name.empty() || name.find('/') != std::string::npos)
@@ -46,6 +55,14 @@ std::string TomlReader::text_or(const toml::table& table, std::string_view key,
   if (!node) return otherwise;
   if (const auto text = node->value_exact<std::string>()) return *text;
   fail(*node, fmt::format("{} must be a string in quotes", key));
+  return otherwise;
+}
+
+bool TomlReader::truth_or(const toml::table& table, std::string_view key, bool otherwise) {
+  const toml::node* const node = table.get(key);
+  if (!node) return otherwise;
+  if (const auto truth = node->value_exact<bool>()) return *truth;
+  fail(*node, fmt::format("{} must be true or false", key));
   return otherwise;
 }
 

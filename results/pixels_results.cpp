@@ -10,7 +10,7 @@ namespace raysweep {
 namespace {
 
 PixelsRow row_of(const std::vector<const PixelsRecord*>& rounds) {
-  PixelsRow row{*rounds.front(), {}, 0};
+  PixelsRow row{*rounds.front(), {}, 0, {}};
   std::vector<double> per_ray;
   for (const PixelsRecord* const round : rounds) {
     if (!round->valid || round->seconds.empty() || round->rays == 0) {
@@ -19,6 +19,7 @@ PixelsRow row_of(const std::vector<const PixelsRecord*>& rounds) {
     }
     if (per_ray.empty()) row.first = *round;
     per_ray.push_back(median(round->seconds) * 1e9 / static_cast<double>(round->rays));
+    row.nanoseconds_by_round[round->round] = per_ray.back();
   }
   if (!per_ray.empty()) row.nanoseconds_per_ray = estimate_median(std::move(per_ray));
   return row;

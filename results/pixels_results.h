@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct PixelsRow {
   /// The median of the valid rounds' medians over frames, of one thread; none without a valid round.
   std::optional<Estimate> nanoseconds_per_ray;
   int void_rounds = 0;
+  std::map<int, double> nanoseconds_by_round{};  // a ray, of valid rounds
 };
 
 /// Of those `cells`, by their keys, that there are records of, in their order.

@@ -23,20 +23,12 @@ double busy_seconds(const Record& r) {
 }
 
 std::optional<double> quality(const Record* own, const Record* serial) {
-  const auto [sum, max] = serial->item_seconds;
-  if (sum <= 0) return std::nullopt;
-  const int most = own->processors_to_use() > 0 ? own->processors_to_use() : own->threads;
-  const double bound = std::max(sum / std::min(own->threads, most), max);
-  return bound * own->fps();
+  return launch_quality(*own, *serial);
 }
 
 std::optional<double> inflation(const Record* own, const Record* serial) {
   if (serial->item_seconds.sum <= 0 || !logged(*own)) return std::nullopt;
   return busy_seconds(*own) / frame_count(*own) / serial->item_seconds.sum - 1;
-}
-
-std::optional<double> imbalance(const Record& r) {
-  return logged(r) ? std::optional(r.imbalance) : std::nullopt;
 }
 
 std::optional<double> migrations(const Record& r) {
@@ -93,11 +85,23 @@ void add_chunks(const Rounds& rounds, Schedule& schedule) {
 
 }  // namespace
 
+std::optional<double> launch_quality(const Record& own, const Record& serial) {
+  const auto [sum, max] = serial.item_seconds;
+  if (sum <= 0) return std::nullopt;
+  const int most = own.processors_to_use() > 0 ? own.processors_to_use() : own.threads;
+  const double bound = std::max(sum / std::min(own.threads, most), max);
+  return bound * own.fps();
+}
+
+std::optional<double> launch_imbalance(const Record& launch) {
+  return logged(launch) ? std::optional(launch.imbalance) : std::nullopt;
+}
+
 Schedule schedule_of(const Rounds& own, const Rounds& serial) {
   Schedule schedule;
   schedule.quality = paired(own, serial, quality);
   schedule.inflation = paired(own, serial, inflation);
-  schedule.imbalance = over_launches(own, imbalance);
+  schedule.imbalance = over_launches(own, launch_imbalance);
   schedule.shares = median_shares(own);
   schedule.empty_region_seconds = over_launches(own, empty_region);
   schedule.migrations = over_launches(own, migrations);

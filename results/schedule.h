@@ -31,6 +31,12 @@ struct Schedule {
   int log_off = 0;                         // launches that could not afford the log
 };
 
+/// The tile-cost bound of one launch by what its frame took; none where the serial launch measured no costs.
+[[nodiscard]] std::optional<double> launch_quality(const Record& own, const Record& serial);
+
+/// Of the workers' busy times; none of a launch without its log.
+[[nodiscard]] std::optional<double> launch_imbalance(const Record& launch);
+
 /// `own` are the launches of one cell, `serial` those of the cell that measured what its items cost.
 [[nodiscard]] Schedule schedule_of(const Rounds& own, const Rounds& serial);
 

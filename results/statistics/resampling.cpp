@@ -59,4 +59,21 @@ std::optional<Estimate::Bounds> hierarchical_bootstrap(
   return intervals.empty() ? std::nullopt : std::optional(intervals.front());
 }
 
+std::optional<Estimate::Bounds> bootstrap_places(
+    size_t count, size_t fewest,
+    const std::function<std::optional<double>(const std::vector<size_t>&)>& statistic, uint64_t seed) {
+  if (fewest < fewest_launches) return std::nullopt;
+  constexpr size_t resamples = 2000, most_draws = 10 * resamples;
+  Random random(seed);
+  std::vector<size_t> drawn(count);
+  std::vector<double> values;
+  for (size_t i = 0; i < most_draws && values.size() < resamples; ++i) {
+    for (size_t& place : drawn) place = random.index(count);
+    if (const auto value = statistic(drawn)) values.push_back(*value);
+  }
+  if (values.size() < resamples) return std::nullopt;
+  const double tail = expanded_tail(fewest);
+  return Estimate::Bounds{quantile(values, tail), quantile(values, 1 - tail)};
+}
+
 }  // namespace raysweep

@@ -34,4 +34,11 @@ inline constexpr size_t fewest_launches = 6;  // as for medians: fewer have no 9
     const FramesByLaunch& frames, const std::function<double(const FramesByLaunch&)>& statistic,
     uint64_t seed = 1);
 
+/// The same of a statistic of whole samples, told by their places: `count` of them are drawn with
+/// replacement, 2,000 times. `fewest` is how many the scarcest of the numbers in it have: the interval is as
+/// wide as so many ask for. Draws for which the statistic is none are drawn again; none for fewer than 6.
+[[nodiscard]] std::optional<Estimate::Bounds> bootstrap_places(
+    size_t count, size_t fewest,
+    const std::function<std::optional<double>(const std::vector<size_t>&)>& statistic, uint64_t seed = 1);
+
 }  // namespace raysweep

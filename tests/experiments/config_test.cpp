@@ -66,7 +66,8 @@ TEST(config, defaults_are_good) {
 
 TEST(config, each_bad_value_is_told_by_file_line_and_possible_values) {
   EXPECT_EQ(errors(head + "speed = 3\n"),
-            "sweep.toml:2: unknown key \"speed\"; possible: experiment, title, kind, scene, sweep, measure");
+            "sweep.toml:2: unknown key \"speed\"; possible: experiment, title, kind, scene, sweep, measure, "
+            "claim, published, quick");
   EXPECT_EQ(errors(head + "[scene]\nnmae = \"x\"\n"),
             "sweep.toml:3: unknown key \"scene.nmae\"; possible: name, file, modes");
   EXPECT_EQ(errors(head + "[measure]\nlaunches = 9\nmax_launches = 8\n"),

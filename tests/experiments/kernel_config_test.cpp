@@ -78,7 +78,8 @@ TEST(kernel_config, overrides_change_it_and_its_text) {
 
 TEST(kernel_config, each_bad_value_is_told_by_file_line_and_possible_values_all_at_once) {
   EXPECT_EQ(errors(head + "[scene]\n"),
-            "a.toml:3: unknown key \"scene\"; possible: experiment, title, kind, sweep, measure");
+            "a.toml:3: unknown key \"scene\"; possible: experiment, title, kind, sweep, measure, claim, "
+            "published, quick");
   EXPECT_EQ(errors("kind = \"kernel\"\n"),
             "a.toml:1: experiment must be a name, such as \"M11-T3\"; it names the folder of the run");
   EXPECT_EQ(

@@ -57,7 +57,8 @@ TEST(pixels_config, overrides_change_it_and_its_text) {
 
 TEST(pixels_config, each_bad_value_is_told_by_file_line_and_possible_values_all_at_once) {
   EXPECT_EQ(errors(head + "[scene]\n"),
-            "a.toml:3: unknown key \"scene\"; possible: experiment, title, kind, sweep, measure");
+            "a.toml:3: unknown key \"scene\"; possible: experiment, title, kind, sweep, measure, claim, "
+            "published, quick");
   EXPECT_EQ(
       errors(head + "[sweep]\nmethod = \"wald\"\ncore = \"narrow\"\noffset = [0, \"far\"]\nscene = 3\n"
                     "mode = \"easy\"\nthreads = 2\n[measure]\nrounds = 0\nlaunches = 3\n"),

@@ -1,0 +1,22 @@
+// [[claim]], [published] and [quick] of any config, and the question in its first line.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <vector>
+
+#include "experiments/claims_config.h"
+#include "experiments/toml_reader.h"
+
+namespace raysweep {
+
+/// Collects what is wrong in `reader`. `text` is the config as it was written. A published table is looked
+/// for in results/ of the sources, then beside the config.
+[[nodiscard]] ClaimsConfig read_claims(TomlReader& reader, const toml::table& root, const std::string& text,
+                                       const ClaimScope& scope);
+
+/// What [quick] changes: none where there is no such section, or nothing readable in it.
+[[nodiscard]] std::vector<std::string> quick_overrides(const toml::table& root);
+
+}  // namespace raysweep

@@ -1,0 +1,45 @@
+#include "results/claims/expression.h"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+#include <regex>
+
+namespace raysweep {
+
+namespace {
+
+double both(double a, double b) { return a != 0 && b != 0 ? 1 : 0; }
+double either(double a, double b) { return a != 0 || b != 0 ? 1 : 0; }
+
+}  // namespace
+
+bool mentions_machine(const std::string& text) {
+  static const std::regex name(R"(\b(cores|pus|smt)\b)");
+  return std::regex_search(text, name);
+}
+
+double evaluate(const std::string& text, const MachineCounts& machine) {
+  if (mentions_machine(text) && !machine.is_known())
+    throw ExpressionError(fmt::format("\"{}\" needs a machine whose cores are known", text));
+  double value = 0;
+  try {
+    mu::Parser parser;
+    // Constants, so that "cores = 6" is refused and not an assignment.
+    parser.DefineConst("cores", machine.cores);
+    parser.DefineConst("pus", machine.pus);
+    parser.DefineConst("smt", machine.pus > machine.cores ? 1 : 0);
+    parser.DefineOprt("and", both, mu::prLAND);
+    parser.DefineOprt("or", either, mu::prLOR);
+    parser.SetExpr(text);
+    value = parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw ExpressionError(
+        fmt::format("\"{}\" is no formula of cores, pus and smt: {}", text, error.GetMsg()));
+  }
+  if (!std::isfinite(value)) throw ExpressionError(fmt::format("\"{}\" comes to no number", text));
+  return value;
+}
+
+}  // namespace raysweep
