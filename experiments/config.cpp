@@ -191,14 +191,16 @@ class PictureParser : public TomlReader {
   }
 
   void read_measure(const toml::table& measure) {
-    check_keys(measure, "measure.",
-               {"launches", "max_launches", "twins", "budget", "interval", "seconds", "timeout", "seed"});
+    check_keys(
+        measure, "measure.",
+        {"launches", "max_launches", "twins", "bases", "budget", "interval", "seconds", "timeout", "seed"});
     Measure& m = config_.measure;
     m.launches = integer_or(measure, "launches", m.launches, 1, 10000);
     // Without an interval there is nothing that could converge.
     const int usual = m.launches < 6 ? m.launches : std::min(4 * m.launches, 10000);
     m.max_launches = integer_or(measure, "max_launches", usual, m.launches, 10000);
     m.twins = integer_or(measure, "twins", m.twins, 0, 16);
+    m.bases = truth_or(measure, "bases", m.bases);
     m.interval = number_or(measure, "interval", m.interval, 1e-4, 1);
     m.seconds = number_or(measure, "seconds", m.seconds, 0, 3600);
     m.seed = static_cast<uint64_t>(integer_or(measure, "seed", static_cast<int>(m.seed), 0, 1 << 30));

@@ -23,6 +23,7 @@ struct Measure {
   int launches = 7;             // of each cell, at least
   int max_launches = 28;        // of a cell whose interval stays too wide
   int twins = 1;                // of one cell, for the noise floor
+  bool bases = true;            // also serial, one thread and co-running copies, for speedups and ceilings
   double budget_seconds = 600;  // of the whole experiment, shared by its cells
   double interval = 0.02;       // relative half-width to reach
   double seconds = 0.3;         // timed frames of one launch

@@ -55,7 +55,6 @@ class Planner {
     }
   }
 
- private:
   /// Its key.
   std::string add(Cell cell, bool asked) {
     collapse_ignored_factors(cell);
@@ -69,6 +68,7 @@ class Planner {
     return key;
   }
 
+ private:
   Plan& plan_;
   const MachineSize machine_;
 };
@@ -108,7 +108,11 @@ Plan make_plan(const Config& config, const MachineSize& machine) {
     for (Cell& cell : cells) {
       refuse_impossible(cell, config.file);
       most = std::max(most, cell.lights.emplace(cell.lights.value_or(lights)));
-      planner.add_with_bases(cell);
+      if (config.measure.bases) {
+        planner.add_with_bases(cell);
+      } else {
+        planner.add(cell, true);
+      }
     }
   }
   planner.add_twins(config.measure.twins);

@@ -18,8 +18,9 @@ struct PlannedCell {
 };
 
 /// The cells of a run: the sweep's, and those that its tables compare them with: `serial`, one thread of the
-/// same scheduler, and co-running serial processes, each for the same picture and item shape. One cell has a
-/// twin, launched beside it in each round: how far they differ is the noise floor of the run.
+/// same scheduler, and co-running serial processes, each for the same picture and item shape (none where the
+/// config wants no bases). One cell has a twin, launched beside it in each round: how far they differ is the
+/// noise floor of the run.
 struct Plan {
   std::string experiment, title;
   double interval = 0;  // relative half-width to reach

@@ -16,6 +16,12 @@ namespace {
 const std::string& name_of(const AccuracyConfig& config) { return config.settings.experiment; }
 const std::string& name_of(const KernelConfig& config) { return config.experiment; }
 const std::string& name_of(const PixelsConfig& config) { return config.settings.experiment; }
+double budget_of(const KernelConfig& config) { return config.measure.budget_seconds; }
+double budget_of(const AccuracyConfig&) { return 0; }
+double budget_of(const PixelsConfig&) { return 0; }
+void scale_budget_of(KernelConfig& config, double factor) { config.measure.budget_seconds *= factor; }
+void scale_budget_of(AccuracyConfig&, double) {}
+void scale_budget_of(PixelsConfig&, double) {}
 void dry_run_of(const AccuracyConfig& config, nlohmann::json* json) { dry_run_accuracy(config, json); }
 void dry_run_of(const KernelConfig& config, nlohmann::json* json) { dry_run_kernels(config, json); }
 void dry_run_of(const PixelsConfig& config, nlohmann::json* json) { dry_run_pixels(config, json); }
@@ -29,6 +35,8 @@ class StudyOf : public Study {
 
   [[nodiscard]] const std::string& experiment() const override { return name_of(config_); }
   [[nodiscard]] const std::string& file() const override { return config_.file; }
+  [[nodiscard]] double budget_seconds() const override { return budget_of(config_); }
+  void scale_budget(double factor) override { scale_budget_of(config_, factor); }
   void dry_run(nlohmann::json* json) const override { dry_run_of(config_, json); }
   void open(const std::filesystem::path& folder, const Machine& machine, bool resume) override {
     experiment_.emplace(open_(config_, folder, machine, resume));

@@ -29,6 +29,9 @@ class Study {
 
   [[nodiscard]] virtual const std::string& experiment() const = 0;
   [[nodiscard]] virtual const std::string& file() const = 0;
+  /// Seconds that it may take; 0 where it runs each cell as often as its file says.
+  [[nodiscard]] virtual double budget_seconds() const = 0;
+  virtual void scale_budget(double factor) = 0;
   /// What would be run, and how long it might take.
   virtual void dry_run(nlohmann::json* json) const = 0;
   /// Makes the folder, or takes it up. Throws RequestError as RunFiles.

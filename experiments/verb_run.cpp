@@ -1,65 +1,21 @@
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 
-#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <set>
 
 #include "experiments/clock.h"
 #include "experiments/errors.h"
 #include "experiments/estimate.h"
 #include "experiments/interrupt.h"
 #include "experiments/progress.h"
+#include "experiments/run_request.h"
 #include "experiments/runner.h"
-#include "experiments/studies.h"
 #include "experiments/verbs.h"
 #include "results/run_data.h"
 
 namespace raysweep {
 
 namespace {
-
-struct RunOptions {
-  std::vector<std::string> configs, overrides;
-  std::string out;
-  std::optional<double> budget_minutes;
-  std::optional<uint64_t> seed;
-  bool resume = false, dry_run = false;
-};
-
-/// What the files ask for.
-struct Configs {
-  std::vector<Config> pictures;
-  std::vector<std::unique_ptr<Study>> studies;
-};
-
-/// Where the run of an experiment goes.
-std::filesystem::path folder_of(const std::string& experiment, const RunOptions& options) {
-  if (options.out.empty()) {
-    const std::time_t now = std::time(nullptr);
-    return std::filesystem::path("results/runs") /
-           fmt::format("{}-{:%Y%m%d-%H%M%S}", experiment, *std::localtime(&now));
-  }
-  // By what was asked for: an experiment that this machine cannot answer must not move the others.
-  const std::filesystem::path out(options.out);
-  return options.configs.size() > 1 ? out / experiment : out;
-}
-
-void read_config(Configs& configs, const std::string& file, const RunOptions& options,
-                 const Machine& machine) {
-  const std::string text = read_config_text(file);
-  if (auto study =
-          read_study(text, file, {options.overrides, options.budget_minutes, options.seed}, machine)) {
-    configs.studies.push_back(std::move(study));
-    return;
-  }
-  Config config = parse_config(text, file, options.overrides, machine.size());
-  if (options.budget_minutes) config.measure.budget_seconds = *options.budget_minutes * 60;
-  if (options.seed) config.measure.seed = *options.seed;
-  configs.pictures.push_back(std::move(config));
-}
 
 void print_plan(const Config& config, const Plan& plan) {
   fmt::print(
@@ -144,52 +100,16 @@ int run_all(const std::vector<Experiment>& experiments, const Machine& machine, 
   return failure.empty() ? worst : exit_failed;
 }
 
-void refuse_same_names(const Configs& configs) {
-  std::set<std::string> names;
-  const auto add = [&](const std::string& experiment, const std::string& file) {
-    if (names.insert(experiment).second) return;
-    throw RequestError(fmt::format("{}: experiment \"{}\" is there twice; each needs a folder of its own",
-                                   file, experiment));
-  };
-  for (const Config& config : configs.pictures) add(config.experiment, config.file);
-  for (const auto& study : configs.studies) add(study->experiment(), study->file());
-}
-
-Configs read_configs(const RunOptions& options, const Machine& machine) {
-  Configs configs;
-  std::string errors;
-  for (const std::string& file : options.configs) {
-    try {
-      read_config(configs, file, options, machine);
-    } catch (const RequestError& error) {
-      errors.append(errors.empty() ? "" : "\n").append(error.what());
-    }
-  }
-  if (!errors.empty()) throw RequestError(errors);
-  for (const Config& config : configs.pictures) {
-    const Config& first = configs.pictures.front();
-    // What several have is launched once for all, at one place in a round.
-    if (config.measure.seed == first.measure.seed) continue;
-    throw RequestError(
-        fmt::format("{}: its seed is {}, that of {} is {}; experiments that run together need one: "
-                    "give it by --seed",
-                    config.file, config.measure.seed, first.file, first.measure.seed));
-  }
-  refuse_same_names(configs);
-  return configs;
-}
-
-std::vector<Experiment> prepare(std::vector<Config> configs, const RunOptions& options,
-                                const Machine& machine) {
+std::vector<Experiment> prepare(RunRequest& request, bool resume, const Machine& machine) {
   std::vector<Experiment> list;
   // Every plan before the first folder: what one refuses leaves nothing of the others.
-  for (Config& config : configs) {
+  for (Config& config : request.pictures) {
     Plan plan = make_plan(config, machine.size());
     list.push_back({std::move(config), std::move(plan), nullptr});
   }
   for (Experiment& p : list) {
-    p.folder = std::make_unique<RunFolder>(folder_of(p.config.experiment, options), p.config, p.plan, machine,
-                                           options.resume);
+    p.folder = std::make_unique<RunFolder>(request.folders.at(p.config.experiment), p.config, p.plan, machine,
+                                           resume);
   }
   return list;
 }
@@ -209,6 +129,7 @@ void dry_run(const std::vector<Config>& configs, const Machine& machine, nlohman
       json->push_back(to_json(plans[i]));
       json->back()["estimate_seconds"] =
           estimate_time({configs[i]}, {plans[i]}, machine.size(), tools).first_rounds;
+      json->back()["budget_seconds"] = configs[i].measure.budget_seconds;
     } else {
       print_plan(configs[i], plans[i]);
     }
@@ -230,13 +151,13 @@ void drop_unanswerable(std::vector<Config>& configs, nlohmann::json& json, bool 
 }
 
 /// All folders are made before anything runs. The exit code.
-int run_configs(Configs configs, const RunOptions& options, const Machine& machine, nlohmann::json* json) {
+int run_request(RunRequest request, bool resume, const Machine& machine, nlohmann::json* json) {
   catch_interrupts();
-  const std::vector<Experiment> pictures = prepare(std::move(configs.pictures), options, machine);
-  for (const auto& study : configs.studies)
-    study->open(folder_of(study->experiment(), options), machine, options.resume);
+  const std::vector<Experiment> pictures = prepare(request, resume, machine);
+  for (const auto& study : request.studies)
+    study->open(request.folders.at(study->experiment()), machine, resume);
   int code = pictures.empty() ? exit_done : run_all(pictures, machine, json);
-  for (const auto& study : configs.studies) code = std::max(code, study->run_and_tell(json));
+  for (const auto& study : request.studies) code = std::max(code, study->run_and_tell(json));
   return code;
 }
 
@@ -244,16 +165,16 @@ int run(const RunOptions& options, bool as_json) {
   if (options.resume && options.out.empty())
     throw RequestError("--resume goes on with the run in --out: name its folder");
   const Machine machine = detect_machine();
-  Configs configs = read_configs(options, machine);
+  RunRequest request = read_request(options, machine);
   nlohmann::json list = nlohmann::json::array();
   nlohmann::json* const json = as_json ? &list : nullptr;
-  drop_unanswerable(configs.pictures, list, as_json);
+  drop_unanswerable(request.pictures, list, as_json);
   int code = exit_done;
   if (options.dry_run) {
-    dry_run(configs.pictures, machine, json);
-    for (const auto& study : configs.studies) study->dry_run(json);
+    dry_run(request.pictures, machine, json);
+    for (const auto& study : request.studies) study->dry_run(json);
   } else {
-    code = run_configs(std::move(configs), options, machine, json);
+    code = run_request(std::move(request), options.resume, machine, json);
   }
   if (as_json) fmt::print("{}\n", list.dump(1));
   return code;
@@ -264,12 +185,15 @@ int run(const RunOptions& options, bool as_json) {
 void add_run(CommandLine& line) {
   Command verb = add_verb(line, "run", "runs experiments: tables at the end, everything into a folder");
   static RunOptions options;
-  verb.add_option("config", options.configs, "experiment files (TOML)").required();
-  verb.add_option("--out", options.out, "folder of the run (default: results/runs/EXPERIMENT-TIME)");
+  verb.add_option("config", options.files, "experiment files (TOML), or lists of them").required();
+  verb.add_option("--out", options.out,
+                  "folder of the run (default: results/runs/EXPERIMENT-TIME); of several, of their folders");
   verb.add_flag("--resume", options.resume, "go on with the run in --out");
+  verb.add_flag("--quick", options.quick,
+                "a smaller run: what the [quick] of each experiment says, then --set");
   verb.add_flag("--dry-run", options.dry_run, "print the cells and how long they would take; write nothing");
   verb.add_option("--budget", options.budget_minutes,
-                  "minutes for each experiment; those that run together share the sum")
+                  "minutes for each experiment, of a list for all that it includes; pictures share the sum")
       .above_0();
   verb.add_option("--seed", options.seed, "seed of the launches' order");
   verb.add_option("--set", options.overrides,

@@ -30,6 +30,13 @@ TEST(plan, adds_the_bases_that_its_tables_compare_with) {
         << p.key;
 }
 
+TEST(plan, without_bases_it_holds_what_is_asked_for_and_a_twin) {
+  const Plan plan =
+      plan_of("[sweep]\nscheduler = \"thread_static\"\nthreads = [2, 4]\n[measure]\nbases = false\n");
+  EXPECT_EQ(plan.cells.size(), 3u);
+  for (const PlannedCell& p : plan.cells) EXPECT_EQ(p.cell.scheduler, "thread_static") << p.key;
+}
+
 TEST(plan, the_twin_is_of_the_cell_that_fills_the_machine) {
   const Plan plan =
       plan_of("[sweep]\nscheduler = [\"thread_static\", \"thread_cyclic\"]\nthreads = [4, 1, 2]\n");

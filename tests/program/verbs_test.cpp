@@ -35,17 +35,9 @@ TEST(list, names_everything_with_what_is_missing_and_why) {
   EXPECT_EQ(scenes[0]["triangles"], 10817);
 }
 
-TEST(list, every_experiment_opens_with_its_question_and_is_valid) {
-  for (const auto& experiment : json_of({"list", "experiments", "--json"})) {
+TEST(list, every_experiment_opens_with_its_question) {
+  for (const auto& experiment : json_of({"list", "experiments", "--json"}))
     EXPECT_TRUE(experiment["summary"].get<std::string>().ends_with("?")) << experiment;
-    const ProgramResult plan = run_program({"run", experiment["name"], "--dry-run"});
-    if (plan.exit_code == 0) continue;
-    // Where a package is missing, an experiment that needs it says so, and nothing else is wrong with it.
-    std::istringstream lines(plan.err);
-    for (std::string line; std::getline(lines, line);) {
-      EXPECT_NE(line.find("cannot be used here: it is not built"), std::string::npos) << line;
-    }
-  }
 }
 
 TEST(render, writes_the_picture_and_tells_its_numbers) {
