@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-#include "experiments/claims_config.h"
+#include "experiments/read_claims.h"
 #include "experiments/config_toml.h"
 #include "experiments/errors.h"
 #include "experiments/include_list.h"
