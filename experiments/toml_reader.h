@@ -47,11 +47,10 @@ class TomlReader {
                                         const std::vector<std::string_view>& known);
   /// In seconds.
   double duration_or(const toml::table& table, std::string_view key, double otherwise);
-
- private:
   /// What `experiment` says, which names the folder of the run.
   std::string experiment_name(const toml::table& root);
 
+ private:
   std::string file_, errors_;
 };
 
