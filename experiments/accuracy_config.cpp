@@ -92,7 +92,7 @@ AccuracyConfig parse_accuracy_config(const std::string& text, const std::string&
   if (!overrides.empty()) config.text = to_text(root);
   AccuracyParser parser(config);
   parser.read(root);
-  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
+  config.claims = read_claims(parser, root, {text, overrides}, claim_scope(config));
   parser.refuse_errors();
   return config;
 }

@@ -6,6 +6,7 @@
 
 #include "experiments/errors.h"
 #include "experiments/progress.h"
+#include "results/report_data.h"
 #include "results/tables/accuracy_tables.h"
 #include "results/tables/contract_tables.h"
 #include "results/tables/tables.h"
@@ -18,8 +19,9 @@ namespace {
 Contract promised() { return Contract::read(RAYSWEEP_CONTRACT); }
 
 nlohmann::json describe(const std::filesystem::path& folder, const AccuracyData& data,
-                        const Contract& contract) {
+                        const Contract& contract, const JudgedRun& judged) {
   return {{"folder", folder.string()},
+          {"claims", claims_as_json(judged.claims)},
           {"rows", rows_as_json(accuracy_data(data.results))},
           {"contract", rows_as_json(contract_table(data.results, contract))},
           {"contract_differences", rows_as_json(contract_differences_table(data.results, contract))}};
@@ -50,15 +52,16 @@ int run_and_tell(const AccuracyExperiment& experiment, nlohmann::json* json) {
   const AccuracyReport report = run_accuracy(experiment, json != nullptr);
   int code = tell_end(experiment, report);
   const AccuracyData data = read_accuracy_run(files->path());
+  const JudgedRun judged = judge_run(files->path(), data);
   if (json) {
-    json->push_back(describe(files->path(), data, contract));
+    json->push_back(describe(files->path(), data, contract, judged));
     json->back()["complete"] = report.cells == plan.cell_count();
   } else {
-    fmt::print("{}\nRecords, machine and tables: {}\n", accuracy_tables_as_text(data, contract),
-               files->path().string());
+    fmt::print("{}{}\nRecords, machine and tables: {}\n", accuracy_tables_as_text(data, contract),
+               verdicts_as_text(judged), files->path().string());
   }
   try {
-    write_accuracy_tables(data, contract, files->path() / "tables");
+    write_report(files->path(), judged, write_accuracy_tables(data, contract, files->path() / "tables"));
   } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
     fmt::print(stderr, "raysweep: {}\n", error.what());
     code = std::max(code, exit_failed);
@@ -78,15 +81,17 @@ void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json) {
   fmt::print("About {}.\n", rough_duration(estimate_seconds(plan)));
 }
 
-void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json) {
+void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json,
+                     const std::optional<ClaimSheet>& claims) {
   const AccuracyData data = read_accuracy_run(folder);
+  const JudgedRun judged = judge_run(folder, data, claims);
   const Contract contract = promised();
   if (json) {
-    json->push_back(describe(folder, data, contract));
+    json->push_back(describe(folder, data, contract, judged));
   } else {
-    fmt::print("{}\n", accuracy_tables_as_text(data, contract));
+    fmt::print("{}{}\n", accuracy_tables_as_text(data, contract), verdicts_as_text(judged));
   }
-  write_accuracy_tables(data, contract, folder / "tables");
+  write_report(folder, judged, write_accuracy_tables(data, contract, folder / "tables"));
 }
 
 }  // namespace raysweep

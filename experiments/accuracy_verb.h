@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "experiments/accuracy_run.h"
 
@@ -16,7 +17,9 @@ namespace raysweep {
 /// What would be run, and how long it might take.
 void dry_run_accuracy(const AccuracyConfig& config, nlohmann::json* json);
 
-/// The tables of a folder anew. Throws RecordError where it cannot be read.
-void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json);
+/// The tables of a folder anew, judged by `claims`, or those of its plan. Throws RecordError where it cannot
+/// be read.
+void report_accuracy(const std::filesystem::path& folder, nlohmann::json* json,
+                     const std::optional<ClaimSheet>& claims);
 
 }  // namespace raysweep

@@ -6,8 +6,8 @@ namespace raysweep {
 
 namespace {
 
-ClaimScope scope_of_kind(const std::string& kind, bool is_whole) {
-  ClaimScope scope{quantities_of(kind), {}, is_whole};
+ClaimScope scope_of_kind(const std::string& kind) {
+  ClaimScope scope{quantities_of(kind), {}};
   for (const std::string& name : factors_of(kind)) scope.factors[name] = {};
   return scope;
 }
@@ -20,8 +20,8 @@ std::vector<std::string> names_of(const std::vector<Precision>& precisions) {
 
 }  // namespace
 
-ClaimScope claim_scope(const Config& config, bool is_whole) {
-  ClaimScope scope = scope_of_kind("picture", is_whole);
+ClaimScope claim_scope(const Config& config) {
+  ClaimScope scope = scope_of_kind("picture");
   if (!config.modes.empty()) scope.factors["mode"] = config.modes;
   for (const SweepAxis& axis : config.axes) {
     for (size_t i = 0; i < axis.names.size(); ++i) {
@@ -35,24 +35,24 @@ ClaimScope claim_scope(const Config& config, bool is_whole) {
   return scope;
 }
 
-ClaimScope claim_scope(const KernelConfig& config, bool is_whole) {
-  ClaimScope scope = scope_of_kind("kernel", is_whole);
+ClaimScope claim_scope(const KernelConfig& config) {
+  ClaimScope scope = scope_of_kind("kernel");
   scope.factors["method"] = config.methods;
   scope.factors["protocol"] = config.protocols;
   scope.factors["precision"] = names_of(config.precisions);
   return scope;
 }
 
-ClaimScope claim_scope(const AccuracyConfig& config, bool is_whole) {
-  ClaimScope scope = scope_of_kind("accuracy", is_whole);
+ClaimScope claim_scope(const AccuracyConfig& config) {
+  ClaimScope scope = scope_of_kind("accuracy");
   scope.factors["method"] = config.methods;
   scope.factors["case"] = config.cases;
   scope.factors["precision"] = names_of(config.precisions);
   return scope;
 }
 
-ClaimScope claim_scope(const PixelsConfig& config, bool is_whole) {
-  ClaimScope scope = scope_of_kind("pixels", is_whole);
+ClaimScope claim_scope(const PixelsConfig& config) {
+  ClaimScope scope = scope_of_kind("pixels");
   for (const PixelsGroup& group : config.groups) {
     scope.factors["scene"].push_back(group.scene);
     scope.factors["mode"].push_back(group.mode);

@@ -8,10 +8,9 @@
 
 namespace raysweep {
 
-/// `is_whole`: the sweep is as the file has it.
-[[nodiscard]] ClaimScope claim_scope(const Config& config, bool is_whole);
-[[nodiscard]] ClaimScope claim_scope(const KernelConfig& config, bool is_whole);
-[[nodiscard]] ClaimScope claim_scope(const AccuracyConfig& config, bool is_whole);
-[[nodiscard]] ClaimScope claim_scope(const PixelsConfig& config, bool is_whole);
+[[nodiscard]] ClaimScope claim_scope(const Config& config);
+[[nodiscard]] ClaimScope claim_scope(const KernelConfig& config);
+[[nodiscard]] ClaimScope claim_scope(const AccuracyConfig& config);
+[[nodiscard]] ClaimScope claim_scope(const PixelsConfig& config);
 
 }  // namespace raysweep

@@ -223,7 +223,7 @@ Config parse_config(const std::string& text, const std::string& file,
   if (!overrides.empty()) config.text = to_text(root);
   PictureParser parser(config, machine);
   parser.read(root);
-  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
+  config.claims = read_claims(parser, root, {text, overrides}, claim_scope(config));
   parser.refuse_errors();
   return config;
 }

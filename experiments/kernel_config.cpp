@@ -218,7 +218,7 @@ KernelConfig parse_kernel_config(const std::string& text, const std::string& fil
   if (!overrides.empty()) config.text = to_text(root);
   KernelParser parser(config, processors);
   parser.read(root);
-  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
+  config.claims = read_claims(parser, root, {text, overrides}, claim_scope(config));
   parser.refuse_errors();
   return config;
 }

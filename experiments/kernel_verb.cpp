@@ -7,6 +7,7 @@
 
 #include "experiments/errors.h"
 #include "experiments/progress.h"
+#include "results/report_data.h"
 #include "results/tables/kernel_tables.h"
 #include "results/tables/tables.h"
 
@@ -14,8 +15,11 @@ namespace raysweep {
 
 namespace {
 
-nlohmann::json describe(const std::filesystem::path& folder, const KernelData& data) {
-  return {{"folder", folder.string()}, {"rows", rows_as_json(kernel_data(data.results))}};
+nlohmann::json describe(const std::filesystem::path& folder, const KernelData& data,
+                        const JudgedRun& judged) {
+  return {{"folder", folder.string()},
+          {"claims", claims_as_json(judged.claims)},
+          {"rows", rows_as_json(kernel_data(data.results))}};
 }
 
 /// Reasons, on standard error. The exit code.
@@ -60,16 +64,18 @@ int run_and_tell(const KernelExperiment& experiment, nlohmann::json* json) {
   const KernelReport report = run_kernels(experiment, json != nullptr);
   int code = tell_end(experiment, report);
   const KernelData data = read_kernel_run(files->path());
+  const JudgedRun judged = judge_run(files->path(), data);
   if (json) {
-    json->push_back(describe(files->path(), data));
+    json->push_back(describe(files->path(), data, judged));
     json->back()["records"] = report.records;
     json->back()["void_records"] = report.void_records;
     json->back()["complete"] = report.end == KernelEnd::complete;
   } else {
-    fmt::print("{}\nRecords, machine and tables: {}\n", kernel_tables_as_text(data), files->path().string());
+    fmt::print("{}{}\nRecords, machine and tables: {}\n", kernel_tables_as_text(data),
+               verdicts_as_text(judged), files->path().string());
   }
   try {
-    write_kernel_tables(data, files->path() / "tables");
+    write_report(files->path(), judged, write_kernel_tables(data, files->path() / "tables"));
   } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
     fmt::print(stderr, "raysweep: {}\n", error.what());
     code = std::max(code, exit_failed);
@@ -88,14 +94,16 @@ void dry_run_kernels(const KernelConfig& config, nlohmann::json* json) {
              rough_duration(plan.measure.budget_seconds));
 }
 
-void report_kernels(const std::filesystem::path& folder, nlohmann::json* json) {
+void report_kernels(const std::filesystem::path& folder, nlohmann::json* json,
+                    const std::optional<ClaimSheet>& claims) {
   const KernelData data = read_kernel_run(folder);
+  const JudgedRun judged = judge_run(folder, data, claims);
   if (json) {
-    json->push_back(describe(folder, data));
+    json->push_back(describe(folder, data, judged));
   } else {
-    fmt::print("{}\n", kernel_tables_as_text(data));
+    fmt::print("{}{}\n", kernel_tables_as_text(data), verdicts_as_text(judged));
   }
-  write_kernel_tables(data, folder / "tables");
+  write_report(folder, judged, write_kernel_tables(data, folder / "tables"));
 }
 
 }  // namespace raysweep

@@ -155,7 +155,7 @@ PixelsConfig parse_pixels_config(const std::string& text, const std::string& fil
   if (!overrides.empty()) config.text = to_text(root);
   PixelsParser parser(config);
   parser.read(root);
-  config.claims = read_claims(parser, root, text, claim_scope(config, overrides.empty()));
+  config.claims = read_claims(parser, root, {text, overrides}, claim_scope(config));
   parser.refuse_errors();
   return config;
 }

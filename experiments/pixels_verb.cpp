@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/errors.h"
+#include "results/report_data.h"
 #include "results/tables/pixels_tables.h"
 #include "results/tables/tables.h"
 
@@ -12,8 +13,11 @@ namespace raysweep {
 
 namespace {
 
-nlohmann::json describe(const std::filesystem::path& folder, const PixelsData& data) {
-  return {{"folder", folder.string()}, {"rows", rows_as_json(pixels_data(data.rows))}};
+nlohmann::json describe(const std::filesystem::path& folder, const PixelsData& data,
+                        const JudgedRun& judged) {
+  return {{"folder", folder.string()},
+          {"claims", claims_as_json(judged.claims)},
+          {"rows", rows_as_json(pixels_data(data.rows))}};
 }
 
 size_t record_count(const PixelsConfig& config) {
@@ -53,15 +57,16 @@ int run_and_tell(const PixelsExperiment& experiment, nlohmann::json* json) {
   const PixelsReport report = run_pixels(experiment, json != nullptr);
   int code = tell_end(experiment, report);
   const PixelsData data = read_pixels_run(files->path());
+  const JudgedRun judged = judge_run(files->path(), data);
   if (json) {
-    json->push_back(describe(files->path(), data));
+    json->push_back(describe(files->path(), data, judged));
     json->back()["complete"] = report.records == record_count(config);
   } else {
-    fmt::print("{}\nRecords, machine, pictures and tables: {}\n", pixels_tables_as_text(data),
-               files->path().string());
+    fmt::print("{}{}\nRecords, machine, pictures and tables: {}\n", pixels_tables_as_text(data),
+               verdicts_as_text(judged), files->path().string());
   }
   try {
-    write_pixels_tables(data, files->path() / "tables");
+    write_report(files->path(), judged, write_pixels_tables(data, files->path() / "tables"));
   } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
     fmt::print(stderr, "raysweep: {}\n", error.what());
     code = std::max(code, exit_failed);
@@ -85,14 +90,16 @@ void dry_run_pixels(const PixelsConfig& config, nlohmann::json* json) {
   fmt::print("At least {:.0f} s.\n", seconds);
 }
 
-void report_pixels(const std::filesystem::path& folder, nlohmann::json* json) {
+void report_pixels(const std::filesystem::path& folder, nlohmann::json* json,
+                   const std::optional<ClaimSheet>& claims) {
   const PixelsData data = read_pixels_run(folder);
+  const JudgedRun judged = judge_run(folder, data, claims);
   if (json) {
-    json->push_back(describe(folder, data));
+    json->push_back(describe(folder, data, judged));
   } else {
-    fmt::print("{}\n", pixels_tables_as_text(data));
+    fmt::print("{}{}\n", pixels_tables_as_text(data), verdicts_as_text(judged));
   }
-  write_pixels_tables(data, folder / "tables");
+  write_report(folder, judged, write_pixels_tables(data, folder / "tables"));
 }
 
 }  // namespace raysweep

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "experiments/pixels_run.h"
 
@@ -16,7 +17,9 @@ namespace raysweep {
 /// What would be run, and how long its frames would be timed.
 void dry_run_pixels(const PixelsConfig& config, nlohmann::json* json);
 
-/// The tables of a folder anew. Throws RecordError where it cannot be read.
-void report_pixels(const std::filesystem::path& folder, nlohmann::json* json);
+/// The tables of a folder anew, judged by `claims`, or those of its plan. Throws RecordError where it cannot
+/// be read.
+void report_pixels(const std::filesystem::path& folder, nlohmann::json* json,
+                   const std::optional<ClaimSheet>& claims);
 
 }  // namespace raysweep

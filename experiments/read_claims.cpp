@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "experiments/claim_parser.h"
 #include "experiments/published_config.h"
 
@@ -9,12 +11,32 @@ namespace raysweep {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// A comment in the first line, without its sign; empty if there is none.
 std::string first_comment(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   const size_t begin = line.find_first_not_of("# \t");
   if (line.empty() || line.front() != '#' || begin == std::string::npos) return {};
   return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+/// In quotes where a shell would read more into it.
+std::string shell_word(const std::string& word) {
+  const bool is_plain =
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/") ==
+      std::string::npos;
+  return is_plain ? word : fmt::format("'{}'", word);
+}
+
+/// What makes the run, from the top of the sources where the config is one of theirs.
+std::string command_of(const std::string& file, const std::vector<std::string>& overrides) {
+  const fs::path sources = fs::path(RAYSWEEP_RESULTS_DIR).parent_path();
+  const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(sources));
+  const bool is_ours = !relative.empty() && *relative.begin() != "..";
+  std::string command = fmt::format("raysweep run {}", shell_word(is_ours ? relative.string() : file));
+  for (const std::string& one : overrides) command += fmt::format(" --set {}", shell_word(one));
+  return command;
 }
 
 void read_quick(TomlReader& reader, ClaimValues& values, const toml::table& root, ClaimsConfig& config) {
@@ -43,10 +65,12 @@ std::vector<std::string> quick_overrides(const toml::table& root) {
   return list;
 }
 
-ClaimsConfig read_claims(TomlReader& reader, const toml::table& root, const std::string& text,
-                         const ClaimScope& scope) {
+ClaimsConfig read_claims(TomlReader& reader, const toml::table& root, ConfigRequest request,
+                         ClaimScope scope) {
   ClaimsConfig config;
-  config.sheet.question = first_comment(text);
+  scope.is_whole = request.overrides.empty();
+  config.sheet.question = first_comment(request.text);
+  config.sheet.command = command_of(reader.file(), request.overrides);
   ClaimValues values(reader, scope);
   config.sheet.published = read_published_table(reader, values, root, scope);
   if (config.sheet.published) values.add_known(*config.sheet.published);

@@ -11,10 +11,16 @@
 
 namespace raysweep {
 
-/// Collects what is wrong in `reader`. `text` is the config as it was written. A published table is looked
+/// A config as it was asked for.
+struct ConfigRequest {
+  const std::string& text;  // as it was written
+  const std::vector<std::string>& overrides;
+};
+
+/// Collects what is wrong in `reader`. A published table is looked
 /// for in results/ of the sources, then beside the config.
-[[nodiscard]] ClaimsConfig read_claims(TomlReader& reader, const toml::table& root, const std::string& text,
-                                       const ClaimScope& scope);
+[[nodiscard]] ClaimsConfig read_claims(TomlReader& reader, const toml::table& root, ConfigRequest request,
+                                       ClaimScope scope);
 
 /// What [quick] changes: none where there is no such section, or nothing readable in it.
 [[nodiscard]] std::vector<std::string> quick_overrides(const toml::table& root);

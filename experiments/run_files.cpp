@@ -97,13 +97,18 @@ void RunFiles::take_up(const RunPapers& papers, const Machine& machine, bool res
   const auto parse = [&](const char* file) {
     return nlohmann::json::parse(read_whole(path_ / file), nullptr, false);
   };
+  // The same run may be asked for in other words.
+  const auto without_command = [](nlohmann::json plan) {
+    if (plan.is_object()) plan.erase("command");
+    return plan;
+  };
   const auto old_machine = parse("machine.json"), new_machine = to_json(machine);
   const bool same_machine = old_machine.is_object() && old_machine.value("host", "") == new_machine["host"] &&
                             old_machine.value("cpu", "") == new_machine["cpu"];
   const bool same_program =
       old_machine.is_object() && old_machine.value("build", nlohmann::json()) == new_machine["build"];
-  if (read_whole(path_ / "config.toml") != papers.config || parse("plan.json") != papers.plan ||
-      !same_machine) {
+  if (read_whole(path_ / "config.toml") != papers.config ||
+      without_command(parse("plan.json")) != without_command(papers.plan) || !same_machine) {
     throw RequestError(fmt::format(
         "{}: was made from another config or on another machine; --resume goes on with the same ones only",
         path_.string()));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/accuracy_verb.h"
+#include "experiments/config.h"
 #include "experiments/errors.h"
 #include "experiments/kernel_verb.h"
 #include "experiments/pixels_verb.h"
@@ -86,18 +87,37 @@ std::unique_ptr<Study> read_study(const std::string& text, const std::string& fi
   return nullptr;
 }
 
-bool report_study(const std::filesystem::path& folder, nlohmann::json* json) {
+bool report_study(const std::filesystem::path& folder, nlohmann::json* json,
+                  const std::optional<ClaimSheet>& claims) {
   const std::string kind = run_kind(folder);
   if (kind == "accuracy") {
-    report_accuracy(folder, json);
+    report_accuracy(folder, json, claims);
   } else if (kind == "kernel") {
-    report_kernels(folder, json);
+    report_kernels(folder, json, claims);
   } else if (kind == "pixels") {
-    report_pixels(folder, json);
+    report_pixels(folder, json, claims);
   } else {
     return false;
   }
   return true;
+}
+
+NamedClaims read_claims_of(const std::string& file, const Machine& machine) {
+  const std::string text = read_config_text(file);
+  if (is_accuracy(text, file, {})) {
+    const AccuracyConfig config = parse_accuracy_config(text, file, {});
+    return {config.settings.experiment, config.claims.sheet};
+  }
+  if (is_kernel(text, file, {})) {
+    const KernelConfig config = parse_kernel_config(text, file, {}, machine.topology.processors());
+    return {config.experiment, config.claims.sheet};
+  }
+  if (is_pixels(text, file, {})) {
+    const PixelsConfig config = parse_pixels_config(text, file, {});
+    return {config.settings.experiment, config.claims.sheet};
+  }
+  const Config config = parse_config(text, file, {}, machine.size());
+  return {config.experiment, config.claims.sheet};
 }
 
 }  // namespace raysweep

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/machine/machine.h"
+#include "results/claims/claim_sheet.h"
 
 namespace raysweep {
 
@@ -45,8 +46,17 @@ class Study {
 [[nodiscard]] std::unique_ptr<Study> read_study(const std::string& text, const std::string& file,
                                                 const StudyOptions& options, const Machine& machine);
 
-/// The tables of a study's folder anew; false where it holds a run of pictures. Throws RecordError where it
-/// cannot be read.
-[[nodiscard]] bool report_study(const std::filesystem::path& folder, nlohmann::json* json);
+/// The tables of a study's folder anew, judged by `claims`, or those of its plan; false where it holds a run
+/// of pictures. Throws RecordError where it cannot be read.
+[[nodiscard]] bool report_study(const std::filesystem::path& folder, nlohmann::json* json,
+                                const std::optional<ClaimSheet>& claims);
+
+/// A config's claims, of whatever kind, with the name of its experiment. Throws RequestError with one line
+/// per error.
+struct NamedClaims {
+  std::string experiment;
+  ClaimSheet sheet;
+};
+[[nodiscard]] NamedClaims read_claims_of(const std::string& file, const Machine& machine);
 
 }  // namespace raysweep

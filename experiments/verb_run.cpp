@@ -11,6 +11,7 @@
 #include "experiments/run_request.h"
 #include "experiments/runner.h"
 #include "experiments/verbs.h"
+#include "results/report_data.h"
 #include "results/run_data.h"
 
 namespace raysweep {
@@ -47,22 +48,25 @@ std::string advice(const RunReport& report, const Experiment& experiment, double
   return {};
 }
 
-nlohmann::json describe(const Experiment& experiment, const RunReport& report, const RunData& data) {
+nlohmann::json describe(const Experiment& experiment, const RunReport& report, const RunData& data,
+                        const JudgedRun& judged) {
   return {{"folder", experiment.folder->path().string()},
           {"launches", report.launches},
           {"void_launches", report.void_launches},
           {"complete", report.end == RunEnd::complete},
-          {"rows", rows_as_json(data.rows, data.context.floor)}};
+          {"rows", rows_as_json(data.rows, data.context.floor)},
+          {"claims", claims_as_json(judged.claims)}};
 }
 
 /// On standard output the tables of one experiment, or a document in `json`. The exit code.
 int tell(const Experiment& experiment, const RunReport& report, double budget_seconds, nlohmann::json* json) {
   const RunData data = read_run(experiment.folder->path());
+  const JudgedRun judged = judge_run(experiment.folder->path(), data);
   if (json) {
-    json->push_back(describe(experiment, report, data));
+    json->push_back(describe(experiment, report, data, judged));
   } else {
-    fmt::print("{}\nRecords, machine and tables: {}\n", tables_as_text(data.rows, data.context),
-               experiment.folder->path().string());
+    fmt::print("{}{}\nRecords, machine and tables: {}\n", tables_as_text(data.rows, data.context),
+               verdicts_as_text(judged), experiment.folder->path().string());
   }
   if (report.void_launches > 0) {
     fmt::print(stderr, "{}: {} of {} launches void; the first: {}\n", experiment.config.experiment,
@@ -72,7 +76,8 @@ int tell(const Experiment& experiment, const RunReport& report, double budget_se
   if (!text.empty()) fmt::print(stderr, "{}\n", text);
   int code = report.void_launches > 0 || report.end == RunEnd::failed ? exit_failed : exit_done;
   try {
-    write_tables(data.rows, data.context, experiment.folder->path() / "tables");
+    write_report(experiment.folder->path(), judged,
+                 write_tables(data.rows, data.context, experiment.folder->path() / "tables"));
   } catch (const std::exception& error) {  // a full disk must not hide what else there is to tell
     fmt::print(stderr, "raysweep: {}\n", error.what());
     code = exit_failed;

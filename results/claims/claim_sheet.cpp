@@ -96,6 +96,7 @@ PublishedTable published_of(const json& from) {
 
 void add_to_plan(json& plan, const ClaimSheet& sheet) {
   if (!sheet.question.empty()) plan["question"] = sheet.question;
+  if (!sheet.command.empty()) plan["command"] = sheet.command;
   for (const Claim& claim : sheet.claims) plan["claims"].push_back(to_json(claim));
   if (sheet.published) plan["published"] = to_json(*sheet.published);
 }
@@ -103,6 +104,7 @@ void add_to_plan(json& plan, const ClaimSheet& sheet) {
 ClaimSheet claim_sheet_of(const json& plan) {
   ClaimSheet sheet;
   sheet.question = plan.value("question", "");
+  sheet.command = plan.value("command", "");
   if (plan.contains("claims")) {
     for (const auto& one : plan.at("claims")) sheet.claims.push_back(claim_of(one));
   }

@@ -13,11 +13,12 @@ namespace raysweep {
 
 struct ClaimSheet {
   std::string question;  // that the experiment answers; may be empty
+  std::string command;   // that makes the run
   std::vector<Claim> claims;
   std::optional<PublishedTable> published;
 };
 
-/// Adds "question", "claims" and "published" to a plan, each where there is any.
+/// Adds "question", "command", "claims" and "published" to a plan, each where there is any.
 void add_to_plan(nlohmann::json& plan, const ClaimSheet& sheet);
 
 /// Of a plan; empty of one that has none. Throws nlohmann's exceptions, and RecordError, for what is none.

@@ -23,10 +23,10 @@ std::string accuracy_tables_as_text(const AccuracyData& data, const Contract& co
   return text;
 }
 
-void write_accuracy_tables(const AccuracyData& data, const Contract& contract,
-                           const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const Table& table) { write_table(folder, name, table); };
+std::vector<NamedTable> write_accuracy_tables(const AccuracyData& data, const Contract& contract,
+                                              const std::filesystem::path& folder) {
+  TableFolder files(folder);
+  const auto write = [&](const std::string& name, const Table& table) { files.write(name, table); };
   for (const auto tables : {where_failing_tables, failure_tables, case_tables}) {
     for (const NamedTable& named : tables(data.results)) write(named.name, named.table);
   }
@@ -36,6 +36,7 @@ void write_accuracy_tables(const AccuracyData& data, const Contract& contract,
   write("contract", contract_table(data.results, contract));
   write("contract-differences", contract_differences_table(data.results, contract));
   write_file(folder / "cells.csv", to_csv(accuracy_data(data.results)));
+  return files.tables();
 }
 
 }  // namespace raysweep

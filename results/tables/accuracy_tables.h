@@ -12,12 +12,6 @@
 
 namespace raysweep {
 
-/// A table and the name of its files.
-struct NamedTable {
-  std::string name;
-  Table table;
-};
-
 /// "45812", "16.7", or "≤ 300" where nothing failed (the bound of `zero_failures_bound`): failures per
 /// million. "–" where there was nothing to fail.
 [[nodiscard]] std::string per_million(const Failures& failures);
@@ -49,8 +43,8 @@ struct NamedTable {
 [[nodiscard]] std::string accuracy_tables_as_text(const AccuracyData& data, const Contract& contract);
 
 /// Writes all of them, as .md, .tex (LaTeX with booktabs) and .csv, and `cells.csv`, into `folder`, which is
-/// made.
-void write_accuracy_tables(const AccuracyData& data, const Contract& contract,
-                           const std::filesystem::path& folder);
+/// made. Those that people read.
+std::vector<NamedTable> write_accuracy_tables(const AccuracyData& data, const Contract& contract,
+                                              const std::filesystem::path& folder);
 
 }  // namespace raysweep

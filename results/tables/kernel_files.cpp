@@ -105,15 +105,16 @@ std::string kernel_tables_as_text(const KernelData& data) {
   return text;
 }
 
-void write_kernel_tables(const KernelData& data, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const Table& table) { write_table(folder, name, table); };
+std::vector<NamedTable> write_kernel_tables(const KernelData& data, const std::filesystem::path& folder) {
+  TableFolder files(folder);
+  const auto write = [&](const std::string& name, const Table& table) { files.write(name, table); };
   for (const auto tables : {speed_tables, hit_rate_tables, factor_tables}) {
     for (const NamedTable& named : tables(data.results)) write(named.name, named.table);
   }
   if (const auto table = void_table(data.results)) write("void", *table);
   if (const auto table = left_out_table(data.left_out)) write("left-out", *table);
   write_file(folder / "cells.csv", to_csv(kernel_data(data.results)));
+  return files.tables();
 }
 
 }  // namespace raysweep

@@ -34,7 +34,7 @@ namespace raysweep {
 [[nodiscard]] std::string kernel_tables_as_text(const KernelData& data);
 
 /// Writes all of them, as .md, .tex (LaTeX with booktabs) and .csv, and `cells.csv`, into `folder`, which is
-/// made.
-void write_kernel_tables(const KernelData& data, const std::filesystem::path& folder);
+/// made. Those that people read.
+std::vector<NamedTable> write_kernel_tables(const KernelData& data, const std::filesystem::path& folder);
 
 }  // namespace raysweep

@@ -104,11 +104,11 @@ std::string pixels_tables_as_text(const PixelsData& data) {
   return text;
 }
 
-void write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  const Table table = pixels_table(data.rows);
-  write_table(folder, "pixels", table);
+std::vector<NamedTable> write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder) {
+  TableFolder files(folder);
+  files.write("pixels", pixels_table(data.rows));
   write_file(folder / "cells.csv", to_csv(pixels_data(data.rows)));
+  return files.tables();
 }
 
 }  // namespace raysweep

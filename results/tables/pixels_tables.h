@@ -19,7 +19,8 @@ namespace raysweep {
 /// What a terminal should show.
 [[nodiscard]] std::string pixels_tables_as_text(const PixelsData& data);
 
-/// Writes pixels.md, pixels.csv and cells.csv into `folder`, which is made.
-void write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder);
+/// Writes pixels.md, pixels.csv and cells.csv into `folder`, which is made. Those that
+/// people read.
+std::vector<NamedTable> write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder);
 
 }  // namespace raysweep

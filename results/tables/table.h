@@ -16,6 +16,12 @@ struct Table {
   std::vector<std::vector<std::string>> rows;  // as many cells as there are columns
 };
 
+/// A table and the name of its files.
+struct NamedTable {
+  std::string name;
+  Table table;
+};
+
 /// For a terminal: aligned columns, a rule under the head.
 [[nodiscard]] std::string to_text(const Table& table);
 

@@ -15,6 +15,15 @@ void write_table(const std::filesystem::path& folder, const std::string& name, c
   write_table(folder, name, table, table);
 }
 
+TableFolder::TableFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+  std::filesystem::create_directories(folder_);
+}
+
+void TableFolder::write(const std::string& name, const Table& people, const Table& programs) {
+  write_table(folder_, name, people, programs);
+  tables_.push_back({name, people});
+}
+
 void remove_table(const std::filesystem::path& folder, const std::string& name) {
   for (const char* suffix : {".md", ".csv", ".tex"}) std::filesystem::remove(folder / (name + suffix));
 }

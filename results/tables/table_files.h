@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "results/tables/table.h"
 
@@ -18,5 +19,21 @@ void write_table(const std::filesystem::path& folder, const std::string& name, c
 
 /// What `write_table` wrote of that name, gone.
 void remove_table(const std::filesystem::path& folder, const std::string& name);
+
+/// A folder that a run's tables are written into, one after the other, and what people read of them.
+class TableFolder {
+ public:
+  /// Makes it. Throws as std::filesystem.
+  explicit TableFolder(std::filesystem::path folder);
+
+  /// As `write_table`.
+  void write(const std::string& name, const Table& people, const Table& programs);
+  void write(const std::string& name, const Table& table) { write(name, table, table); }
+  [[nodiscard]] const std::vector<NamedTable>& tables() const { return tables_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<NamedTable> tables_;
+};
 
 }  // namespace raysweep

@@ -36,28 +36,27 @@ std::string tables_as_text(const std::vector<CellRow>& rows, const TableContext&
   return text;
 }
 
-void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
-                  const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+std::vector<NamedTable> write_tables(const std::vector<CellRow>& rows, const TableContext& context,
+                                     const std::filesystem::path& folder) {
+  TableFolder files(folder);
   // What this report has nothing to say about must not stay from an earlier one.
   for (const char* name : {"laws", "schedule", "hyper-threading", "power"}) remove_table(folder, name);
   std::filesystem::remove(folder / "chunks.csv");
-  write_table(folder, "scaling", scaling_table(rows, context), scaling_data(rows, context.floor));
+  files.write("scaling", scaling_table(rows, context), scaling_data(rows, context.floor));
   const auto frames = frame_times(rows);
-  write_table(folder, "frames", frame_table(rows, frames), frame_data(rows, frames));
-  if (!scaling_groups(rows).empty())
-    write_table(folder, "laws", scaling_laws_table(rows), scaling_laws_data(rows));
+  files.write("frames", frame_table(rows, frames), frame_data(rows, frames));
+  if (!scaling_groups(rows).empty()) files.write("laws", scaling_laws_table(rows), scaling_laws_data(rows));
   if (const auto schedule = schedule_table(rows)) {
-    write_table(folder, "schedule", *schedule, schedule_data(rows));
+    files.write("schedule", *schedule, schedule_data(rows));
     write_file(folder / "chunks.csv", to_csv(chunk_data(rows)));
   }
   if (const auto groups = hyper_threading_groups(rows); !groups.empty()) {
-    write_table(folder, "hyper-threading", hyper_threading_table(rows, groups, context.floor),
+    files.write("hyper-threading", hyper_threading_table(rows, groups, context.floor),
                 hyper_threading_data(groups));
   }
-  if (!context.power.empty())
-    write_table(folder, "power", power_table(context.power), power_data(context.power));
-  for (const ModeTable& made : mode_tables(rows)) write_table(folder, made.name, made.table);
+  if (!context.power.empty()) files.write("power", power_table(context.power), power_data(context.power));
+  for (const ModeTable& made : mode_tables(rows)) files.write(made.name, made.table);
+  return files.tables();
 }
 
 }  // namespace raysweep

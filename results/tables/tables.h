@@ -59,8 +59,8 @@ struct ModeTable {
 
 /// Writes `scaling`, `frames`, `laws`, `schedule`, `hyper-threading` and the mode tables, as .md, .tex (LaTeX
 /// with booktabs) and .csv, and `chunks.csv`, into `folder`, which is made; of what a run has nothing to say
-/// about there is no file.
-void write_tables(const std::vector<CellRow>& rows, const TableContext& context,
-                  const std::filesystem::path& folder);
+/// about there is no file. Those that people read.
+std::vector<NamedTable> write_tables(const std::vector<CellRow>& rows, const TableContext& context,
+                                     const std::filesystem::path& folder);
 
 }  // namespace raysweep

@@ -38,7 +38,7 @@ ClaimSheet full_sheet() {
   claim.why = "why";
   PublishedTable table{
       "a.csv", "fps", 1e-6, {"threads"}, "first_row", {6, 12}, {{{{"threads", "1"}}, "6.888"}}};
-  return {"question?", {claim}, table};
+  return {"question?", "raysweep run a.toml", {claim}, table};
 }
 
 TEST(claim_sheets, come_back_from_a_plan_as_they_were) {
@@ -47,6 +47,7 @@ TEST(claim_sheets, come_back_from_a_plan_as_they_were) {
   add_to_plan(plan, sheet);
   const ClaimSheet back = claim_sheet_of(nlohmann::json::parse(plan.dump()));
   EXPECT_EQ(back.question, sheet.question);
+  EXPECT_EQ(back.command, sheet.command);
   EXPECT_EQ(back.claims, sheet.claims);
   ASSERT_TRUE(back.published);
   EXPECT_EQ(back.published->file, "a.csv");
