@@ -26,7 +26,10 @@ std::string shell_word(const std::string& word) {
   const bool is_plain =
       word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/") ==
       std::string::npos;
-  return is_plain ? word : fmt::format("'{}'", word);
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
+  return quoted.append("'");
 }
 
 /// What makes the run, from the top of the sources where the config is one of theirs.

@@ -66,6 +66,16 @@ bool is_decided(const std::string& factor, const std::vector<std::string>& other
   return true;
 }
 
+bool has_no_use_for_some(const Factors& factors) {
+  return std::ranges::any_of(factors, [](const auto& one) { return one.second == no_use; });
+}
+
+/// Whether they have the same values but for those that `part` has no use for.
+bool is_part_of(const Factors& part, const Factors& whole) {
+  return std::ranges::all_of(
+      part, [&](const auto& one) { return one.second == no_use || whole.at(one.first) == one.second; });
+}
+
 }  // namespace
 
 bool has_value(const Observation& observation, const std::string& factor, const std::string& value,
@@ -108,25 +118,28 @@ std::vector<std::string> telling_factors(const ObservationList& list, const std:
 
 std::vector<ObservationGroup> groups_by(const ObservationList& list,
                                         const std::vector<std::string>& factors) {
-  std::vector<Factors> combinations;
+  std::vector<ObservationGroup> groups;
+  std::map<Factors, size_t> places;
   for (const Observation* const one : list) {
     Factors own;
     for (const std::string& name : factors) own[name] = value_of(*one, name);
-    if (std::ranges::find(combinations, own) == combinations.end()) combinations.push_back(std::move(own));
+    const auto [place, is_new] = places.emplace(own, groups.size());
+    if (is_new) groups.push_back({std::move(own), {}});
+    groups[place->second].members.push_back(one);
   }
-  const auto is_part_of = [](const Factors& part, const Factors& whole) {
-    return part != whole && std::ranges::all_of(part, [&](const auto& one) {
-             return one.second == no_use || whole.at(one.first) == one.second;
-           });
-  };
-  std::vector<ObservationGroup> groups;
-  for (const Factors& own : combinations) {
-    if (std::ranges::any_of(combinations, [&](const Factors& other) { return is_part_of(own, other); }))
-      continue;
-    ObservationGroup& group = groups.emplace_back(ObservationGroup{own, {}});
-    for (const Observation* const one : list) {
-      if (has_values(*one, own, {})) group.members.push_back(one);
+  const std::vector<ObservationGroup> exact = groups;
+  groups.clear();
+  for (const ObservationGroup& whole : exact) {
+    ObservationGroup group = whole;
+    bool is_only_part = false;
+    for (const ObservationGroup& part : exact) {
+      if (&part == &whole) continue;
+      is_only_part =
+          is_only_part || (has_no_use_for_some(whole.factors) && is_part_of(whole.factors, part.factors));
+      if (has_no_use_for_some(part.factors) && is_part_of(part.factors, whole.factors))
+        group.members.insert(group.members.end(), part.members.begin(), part.members.end());
     }
+    if (!is_only_part) groups.push_back(std::move(group));
   }
   return groups;
 }

@@ -9,8 +9,8 @@ namespace raysweep {
 
 namespace {
 
-/// As configs write numbers; "-" for none.
-std::string number_text(double value) { return std::isnan(value) ? "-" : fmt::format("{:g}", value); }
+/// As configs write numbers.
+std::string number_text(double value) { return std::isnan(value) ? "none" : fmt::format("{:g}", value); }
 
 /// Names, as they stand in records, for both directions of `factors_of`.
 Factors factors_of(const VariantRecord& v) {
@@ -33,7 +33,7 @@ Factors factors_of(const KernelRecord& r) {
                   {"bytes", std::to_string(r.bytes)},
                   {"protocol", r.protocol},
                   {"parameter", number_text(r.parameter)},
-                  {"scene", r.scene.empty() ? "-" : r.scene},
+                  {"scene", r.scene.empty() ? "none" : r.scene},
                   {"threads", std::to_string(r.threads)}});
   return factors;
 }

@@ -222,6 +222,15 @@ TEST(quick_of_configs, lists_what_set_would_change) {
             "a.toml:9: \"threads\" in quick.set must be KEY=VALUE, as --set has it");
 }
 
+TEST(claims_of_configs, stand_beside_the_command_that_makes_the_run) {
+  EXPECT_EQ(parse(head).claims.sheet.command, "raysweep run a.toml");
+  EXPECT_EQ(parse(head, {"threads=2", "measure.budget='1 min'"}).claims.sheet.command,
+            R"(raysweep run a.toml --set threads=2 --set 'measure.budget='\''1 min'\''')");
+  const Config of_sources =
+      parse_config(head, RAYSWEEP_SOURCE_DIR "/experiments/configs/x.toml", {}, machine);
+  EXPECT_EQ(of_sources.claims.sheet.command, "raysweep run experiments/configs/x.toml");
+}
+
 TEST(claims_of_configs, are_in_the_plans_of_all_kinds) {
   const std::string end =
       "[[claim]]\nid = \"a\"\ntext = \"b\"\nrule = \"argmin\"\nkey = \"method\"\nexpect = \"wald\"\n";

@@ -47,6 +47,41 @@ double coverage(const std::string& kind, double truth, double (*statistic)(const
   return covered / double(trials);
 }
 
+double median_at(const std::vector<double>& samples, const std::vector<size_t>& places) {
+  std::vector<double> drawn;
+  for (const size_t place : places) drawn.push_back(samples[place]);
+  return median(std::move(drawn));
+}
+
+TEST(bootstrap, of_places_draws_whole_samples_as_that_of_launches_with_one_frame_does) {
+  const std::vector<double> samples{3, 1, 4, 1, 5, 9, 2, 6};
+  FramesByLaunch launches;
+  for (const double sample : samples) launches.push_back({sample});
+  const auto statistic = [&](const std::vector<size_t>& places) {
+    return std::optional(median_at(samples, places));
+  };
+  const auto by_places = bootstrap_places(samples.size(), samples.size(), statistic);
+  const auto by_launches = hierarchical_bootstrap(launches, pooled_median);
+  ASSERT_TRUE(by_places && by_launches);
+  EXPECT_NEAR(by_places->low, by_launches->low, 0.5);
+  EXPECT_NEAR(by_places->high, by_launches->high, 0.5);
+  EXPECT_FALSE(bootstrap_places(samples.size(), 5, statistic)) << "one of its numbers has five samples only";
+  const auto of_few = bootstrap_places(samples.size(), 6, statistic);
+  EXPECT_LE(of_few->low, by_places->low);
+  EXPECT_GE(of_few->high, by_places->high) << "as wide as the fewest samples ask for";
+}
+
+TEST(bootstrap, of_places_draws_again_where_there_is_no_number) {
+  const auto often_none = [](const std::vector<size_t>& places) {
+    return places[0] == 0 ? std::nullopt : std::optional(static_cast<double>(places[0]));
+  };
+  const auto interval = bootstrap_places(8, 8, often_none);
+  ASSERT_TRUE(interval);
+  EXPECT_GE(interval->low, 1);
+  const auto always_none = [](const std::vector<size_t>&) { return std::optional<double>(); };
+  EXPECT_FALSE(bootstrap_places(8, 8, always_none));
+}
+
 TEST(bootstrap, covers_the_truth_over_launches_that_differ) {
   const double of_mean = coverage("normal", 0, mean_of_means);
   RecordProperty("mean", std::to_string(of_mean));
