@@ -6,10 +6,11 @@ import math
 import matplotlib.pyplot as plt
 
 from study_charts.accuracy import CLASSES, Accuracy, class_of, false_misses, missed_rays
+from study_charts.colours import FAINT, INK, PAPER, RAIL
 from study_charts.kernels import Kernel
 from study_charts.labels import place_labels
 from study_charts.numbers import pareto_front
-from study_charts.style import FAINT, INK, PAPER, RAIL, Chart, powers_on
+from study_charts.style import Chart, powers_on
 
 
 @dataclasses.dataclass(frozen=True)

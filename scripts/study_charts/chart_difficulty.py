@@ -5,8 +5,9 @@ import math
 import matplotlib.pyplot as plt
 
 from study_charts.accuracy import NO_HIT, false_misses, t_error
+from study_charts.colours import FAINT, RAIL
 from study_charts.numbers import power
-from study_charts.style import FAINT, RAIL, Chart, powers_on, thinned
+from study_charts.style import Chart, powers_on, thinned
 
 COLUMNS = 5
 # A method stands out in a facet where it is somewhere this many times better or worse than the middle one.

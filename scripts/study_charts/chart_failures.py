@@ -7,7 +7,8 @@ import numpy
 from matplotlib.colors import LogNorm
 
 from study_charts.accuracy import MEASURES
-from study_charts.style import FAINT, INK, RAIL, Chart
+from study_charts.colours import FAINT, INK, RAIL
+from study_charts.style import Chart
 
 # Read from dark to light by anybody, and in grey.
 COLOURS = "cividis"

@@ -6,8 +6,9 @@ import matplotlib.pyplot as plt
 import numpy
 from matplotlib.colors import LogNorm
 
+from study_charts.colours import INK, RAIL
 from study_charts.runs import in_order
-from study_charts.style import INK, RAIL, Chart, powers_on
+from study_charts.style import Chart, powers_on
 
 COLOURS = "cividis"
 COLUMNS = 5

@@ -4,8 +4,9 @@ import matplotlib.pyplot as plt
 from matplotlib.patches import Patch
 
 from study_charts.accuracy import extra_rays, missed_rays
+from study_charts.colours import FAINT, INK, PAPER
 from study_charts.numbers import power, short
-from study_charts.style import FAINT, INK, PAPER, Chart
+from study_charts.style import Chart
 
 COLUMNS = 3
 MISSED, EXTRA = "#cc3311", "#0077bb"

@@ -4,10 +4,11 @@ import dataclasses
 
 import matplotlib.pyplot as plt
 
+from study_charts.colours import FAINT, INK, PAPER, RAIL
 from study_charts.labels import place_labels
 from study_charts.numbers import Estimate, Rate, estimate_median, median
 from study_charts.runs import in_order
-from study_charts.style import FAINT, INK, PAPER, RAIL, Chart, powers_on
+from study_charts.style import Chart, powers_on
 
 # Below this a mean FLIP is drawn as this: no difference that could be seen, and a logarithm has no 0.
 LEAST_FLIP = 1e-8

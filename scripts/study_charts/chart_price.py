@@ -4,9 +4,10 @@ import dataclasses
 
 import matplotlib.pyplot as plt
 
+from study_charts.colours import FAINT, INK, PAPER
 from study_charts.kernels import Kernel
 from study_charts.numbers import short
-from study_charts.style import FAINT, INK, PAPER, Chart
+from study_charts.style import Chart
 
 
 @dataclasses.dataclass(frozen=True)

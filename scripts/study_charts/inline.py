@@ -2,7 +2,7 @@
 
 import re
 
-from study_charts.style import DARK
+from study_charts.colours import DARK
 
 
 class Inline:

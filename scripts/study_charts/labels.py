@@ -1,6 +1,6 @@
 """Names beside points, placed so that none covers another or a point."""
 
-from study_charts.style import INK, PAPER
+from study_charts.colours import INK, PAPER
 
 # Where a label may stand about its point, in points of the page: the first that is free is taken.
 PLACES = [(7, 0, "left", "center"), (-7, 0, "right", "center"), (0, 7, "center", "bottom"), (0, -7, "center", "top")]

@@ -7,8 +7,9 @@ import pathlib
 import jinja2
 
 from study_charts.answers import answers, class_rows
+from study_charts.colours import variables
+from study_charts.machines import grouped
 from study_charts.numbers import per_million, power, short
-from study_charts.style import variables
 
 # The page is to be sent by mail: what charts and tables leave of this is for pictures.
 PAGE_BYTES = 2_900_000
@@ -30,28 +31,9 @@ class Picture:
     data: str  # a data: address
 
 
-def machine_rows(run):
-    """What is to be known of a run's machine; of unknown facts why they are."""
-    machine = run.machine
-    rows = [(key, machine[key]) for key in ("cpu", "cores", "pus", "packages", "compiler", "kernel", "load") if key in machine]
-    rows += [(key, value) for key, value in machine.get("build", {}).items() if key in ("commit", "type", "flags")]
-    facts = machine.get("facts", {})
-    for key in ("governor", "turbo", "virtual_machine", "container", "smt", "clock_source"):
-        fact = facts.get(key)
-        if fact:
-            state = str(fact["state"])
-            rows.append((key, state if state != "unknown" else f"unknown: {fact['reason']}"))
-    return [(key.replace("_", " "), str(value)) for key, value in rows]
-
-
 def machines(runs):
     """(title, rows) a run; runs on the same machine by the same build stand together."""
-    groups = {}
-    for run in runs:
-        rows = tuple(machine_rows(run))
-        title = f"{run.plan.get('experiment', run.folder.name)} ({run.kind}, {len(run.records):,} records)"
-        groups.setdefault(rows, []).append(title)
-    return [("; ".join(titles), rows) for rows, titles in groups.items()]
+    return grouped((f"{run.plan.get('experiment', run.folder.name)} ({run.kind}, {len(run.records):,} records)", run.machine) for run in runs)
 
 
 def speed_table(kernels):

@@ -15,10 +15,11 @@ import made_records as made  # noqa: E402
 from study_charts import answers, chart_difficulty, chart_map, chart_price, chart_speed, numbers, runs  # noqa: E402
 from study_charts.accuracy import NO_HIT, Accuracy, false_misses, t_error  # noqa: E402
 from study_charts.chart_cost import error_point, front_of, points_of  # noqa: E402
+from study_charts.colours import DARK  # noqa: E402
 from study_charts.inline import Inline  # noqa: E402
 from study_charts.kernels import Kernel, Kernels, Workload  # noqa: E402
 from study_charts.numbers import Rate  # noqa: E402
-from study_charts.style import DARK, Looks, thinned  # noqa: E402
+from study_charts.style import Looks, thinned  # noqa: E402
 
 
 class Numbers(unittest.TestCase):
