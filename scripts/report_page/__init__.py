@@ -1,0 +1,1 @@
+"""The page and the charts of experiments: from the folders of their runs to pictures, tables and one page."""
