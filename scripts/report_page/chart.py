@@ -49,7 +49,7 @@ def tip_of(row, quantity, series, names=()):
 def point_of(row, quantity, x, series, samples=True, names=()):
     """A row's quantity as a point of a panel; None where it has no value."""
     estimate = row["values"].get(quantity)
-    if not estimate or estimate["value"] is None:
+    if not estimate:
         return None
     raw = row["samples"].get(quantity, []) if samples else []
     return Point(series, x, estimate["value"], estimate["low"], estimate["high"], tip_of(row, quantity, series, names), raw)

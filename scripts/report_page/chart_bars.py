@@ -7,7 +7,7 @@ from report_page.chart_sweep import LARGER_IS_BETTER
 from report_page.factors import label, telling, unit
 from report_page.layout import MOST_PANELS, split
 from report_page.panel import spread
-from report_page.spec import FAINT, SCHEMA, significant, sized
+from report_page.spec import FAINT, significant, sized
 
 # More rows than these in one panel would be no picture.
 MOST_ROWS = 40
@@ -101,7 +101,7 @@ def bars_spec(panels, quantity, raw, sample="round"):
         data += bar_data(number, bars, quantity, raw)
         groups.append({k: v for k, v in bar_group(number, bars, quantity, raw, width, sample).items() if v is not None})
     return {
-        "$schema": SCHEMA, "padding": 8, "data": data, "scales": [{"name": "colour", "type": "ordinal", "domain": ["value"], "range": "category"}],
+        "padding": 8, "data": data, "scales": [{"name": "colour", "type": "ordinal", "domain": ["value"], "range": "category"}],
         "layout": {"padding": {"row": 28, "column": 34}, "columns": min(2, len(panels)), "bounds": "full", "align": "each"}, "marks": groups,
     }  # fmt: skip
 
@@ -122,7 +122,7 @@ def panels_of(rows, quantity, apart):
 def bars_chart(run, quantity=None, apart=()):
     """None where fewer than two rows have the quantity."""
     quantity = quantity or main_quantity(run.report["rows"])
-    rows = [r for r in run.report["rows"] if (r["values"].get(quantity) or {}).get("value") is not None]
+    rows = [r for r in run.report["rows"] if quantity in r["values"]]
     if len(rows) < 2:
         return None
     panels, raw = panels_of(rows, quantity, apart), few_enough(rows, quantity)

@@ -31,7 +31,7 @@ def steps_of(series, seconds):
 
 def steps_spec(layout, of):
     panels = []
-    for title, mine in layout.panels:
+    for title, mine in layout.panels[:MOST_PANELS]:
         points = [p for r in mine for p in steps_of(layout.series_of(r), of[r["cell"]])]
         wide = spread([p.x for p in points]) > 8
         panels.append(Panel(title, QUANTITY, "share of frames done", points, y_format="~%", y_domain=[0, 1], steps=True, markers=False, from_zero=False, log_x=wide, width=250, height=170))
@@ -81,5 +81,6 @@ def frames_chart(run):
         text += f"Blue: the median, and from the 5th to the 95th of a hundred frames; the quickest {MOST_ROWS} cells of each panel."
     else:
         spec = steps_spec(layout, of)
-        text += f"A steep line is a steady picture; a tail to the right is frames that were held up. {layout.sentence()}"
+        text += f"A steep line is a steady picture; a tail to the right is frames that were held up."
+        text += f" The first {MOST_PANELS} panels; records.jsonl has all." if len(layout.panels) > MOST_PANELS else ""
     return Chart("frames", title, text.strip(), spec)

@@ -3,7 +3,7 @@
 from report_page.chart import Chart, estimate_text, tip_of
 from report_page.factors import in_order, label, telling
 from report_page.layout import combinations, split
-from report_page.spec import SCHEMA, significant, sized
+from report_page.spec import significant, sized
 
 CELL, ROW = 68, 24  # pixels
 COLUMNS = ("chunk", "item")
@@ -65,14 +65,14 @@ def panels_of(rows, names, column):
 
 def heat_chart(run):
     """None where not at least two schedulers were run with two chunks or items."""
-    rows = [r for r in run.report["rows"] if r["factors"].get("scheduler") not in (None, "serial") and (r["values"].get("fps") or {}).get("value")]
+    rows = [r for r in run.report["rows"] if r["factors"].get("scheduler") not in (None, "serial") and "fps" in r["values"]]
     if not (found := heat_names(rows)) or not (panels := panels_of(rows, *found)[:6]):
         return None
     names, column = found
     data, groups = zip(*(heat_group(i, title, mine, names, column, best_of(mine)["values"]["fps"]["value"]) for i, (title, mine) in enumerate(panels)))
     lowest = min(v["v"] for d in data for v in d["values"])
     spec = {
-        "$schema": SCHEMA, "padding": 8, "data": list(data), "marks": list(groups),
+        "padding": 8, "data": list(data), "marks": list(groups),
         "scales": [{"name": "heat", "type": "linear", "domain": [min(lowest, 0.9), 1], "range": "ramp"}],
         "legends": [{"fill": "heat", "title": "fps / best", "type": "gradient", "format": ".0%", "gradientLength": 120}],
         "layout": {"padding": {"row": 28, "column": 34}, "columns": 2, "bounds": "full", "align": "each"},

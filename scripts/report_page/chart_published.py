@@ -2,7 +2,7 @@
 
 from report_page.chart import Chart, estimate_text
 from report_page.chart_threads import borders_of
-from report_page.factors import number_of, unit
+from report_page.factors import number_of, unit, unit_of
 from report_page.layout import layout_of, numeric
 from report_page.panel import Panel, Point, round_values, spread
 from report_page.spec import panels_spec
@@ -71,7 +71,7 @@ class Published:
         quantity = self.published["quantity"]
         y_title = f"{quantity.replace('_', ' ')} (first row = 1)" if self.normalised else unit(quantity)
         more = {"log_y": spread([p.y for p in points]) > 30} | more
-        return Panel(title, unit(self.x), y_title, points, log_x=spread(xs) > 30, x_values=round_values(xs) if self.x == "threads" or len(xs) <= 8 else None, **more)
+        return Panel(title, unit_of(self.x, self.rows), y_title, points, log_x=spread(xs) > 30, x_values=round_values(xs) if self.x == "threads" or len(xs) <= 8 else None, **more)
 
     def side_by_side(self):
         """Over threads: each on its own machine, whose cores end where they do."""

@@ -14,12 +14,11 @@ MOST_PANELS = 8
 
 
 def value(row, name):
-    estimate = row["values"].get(name)
-    return estimate["value"] if estimate else None
+    return row["values"][name]["value"] if has(row, name) else None
 
 
 def has(row, name):
-    return value(row, name) is not None
+    return name in row["values"]
 
 
 def subject(row):
@@ -79,7 +78,7 @@ def speed_error_chart(kernel_run, accuracy_run):
 
 def scatter(title, points, x_title, y_title, lines=False):
     xs, ys = ([p.x for p in points], [p.y for p in points])
-    return Panel(title, x_title, y_title, points, lines=lines, log_x=spread(xs) > 8, log_y=spread(ys) > 12, from_zero=spread(ys) > 3, width=210, height=170, y_format=".2~g")
+    return Panel(title, x_title, y_title, points, lines=lines, log_x=spread(xs) > 8, log_y=spread(ys) > 12, from_zero=spread(ys) > 3, width=210, height=170, dodged=False)
 
 
 def wrong_of(run):

@@ -2,7 +2,7 @@
 
 from report_page.chart import Chart
 from report_page.factors import label, telling
-from report_page.spec import SCHEMA, significant, sized
+from report_page.spec import significant, sized
 
 PARTS = {"busy": "inside items", "in_scheduler": "in the scheduler", "idle": "idle"}
 ROW, WIDTH, MOST_ROWS = 17, 420, 60
@@ -72,7 +72,7 @@ def split_spec(lines):
             {"type": "symbol", "name": "point_marks1", "from": {"data": "points1"}, "encode": {"update": point}},
         ], False))  # fmt: skip
     return {
-        "$schema": SCHEMA, "padding": 8, "data": [{"name": "points0", "values": values}, {"name": "points1", "values": inflation}],
+        "padding": 8, "data": [{"name": "points0", "values": values}, {"name": "points1", "values": inflation}],
         "scales": [{"name": "colour", "type": "ordinal", "domain": list(PARTS.values()), "range": [{"signal": "first"}, {"signal": "second"}, {"signal": "rail"}]}],
         "legends": [{"fill": "colour", "symbolType": "square", "title": "where time went"}],
         "layout": {"padding": {"column": 24}, "columns": 2, "bounds": "full", "align": "each"}, "marks": groups,

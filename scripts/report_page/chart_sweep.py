@@ -1,7 +1,7 @@
 """An experiment's main quantity over a factor of numbers: subpixels, lights, depth, leaf, chunks a thread, length, …"""
 
 from report_page.chart import Chart, estimate_text, few_enough, main_quantity, point_of, samples_sentence
-from report_page.factors import number_of, telling, unit
+from report_page.factors import number_of, telling, unit, unit_of
 from report_page.layout import layout_of, numeric
 from report_page.panel import Panel, spread
 from report_page.spec import panels_spec
@@ -22,19 +22,18 @@ def sweep_factors(rows):
 
 def sweep_chart(run, x, quantity):
     """None where fewer than three values of `x` have the quantity."""
-    rows = [r for r in run.report["rows"] if number_of(r["factors"].get(x, "-")) is not None and (r["values"].get(quantity) or {}).get("value") is not None]
+    rows = [r for r in run.report["rows"] if number_of(r["factors"].get(x, "-")) is not None and quantity in r["values"]]
     if len({r["factors"][x] for r in rows}) < FEWEST:
         return None
     layout, raw = layout_of(rows, apart=(x,)), few_enough(rows, quantity)
     all_x = sorted({number_of(r["factors"][x]) for r in rows})
-    per_thread = any("/thread" in r["factors"][x] for r in rows)
-    panels = []
+    panels, width = [], {1: 420, 2: 320}.get(len(layout.panels), 240)
     for title, mine in layout.panels:
         points = [p for r in mine if (p := point_of(r, quantity, number_of(r["factors"][x]), layout.series_of(r), raw, (x,)))]
         log_y = spread([p.y for p in points]) > 12
         panels.append(Panel(
-            title, "chunks a thread" if per_thread else unit(x), unit(quantity), points, log_x=spread(all_x) > 30, log_y=log_y,
-            x_values=all_x if len(all_x) <= 8 else None, width=300 if len(layout.panels) < 3 else 230, height=220 if len(layout.panels) < 3 else 170,
+            title, unit_of(x, rows), unit(quantity), points, log_x=spread(all_x) > 30, log_y=log_y,
+            x_values=all_x if len(all_x) <= 8 else None, width=width, height=round(width * 0.65),
         ))  # fmt: skip
     best = (max if quantity in LARGER_IS_BETTER else min)(rows, key=lambda r: r["values"][quantity]["value"])
     who = layout.series_of(best)

@@ -57,7 +57,7 @@ def tile_bounds(rows, base, layout):
     found = []
     for row in rows:
         speedup, quality = row["values"].get(base), row["values"].get("quality")
-        if speedup and quality and speedup["value"] and quality["value"]:
+        if speedup and quality and quality["value"]:
             bound, series = speedup["value"] / quality["value"], layout.series_of(row)
             found.append(Point(series, threads_of(row), bound, tip=[[series, ""], ["bound by the items' costs", short(bound, 4)]]))
     return found
@@ -82,7 +82,7 @@ def existing(points):
 def base_of(rows):
     """Speedup against serial where all rows have it; else against one thread of the same scheduler; None without either."""
     for base in BASES:
-        if rows and all(row["values"].get(base, {}).get("value") is not None for row in rows):
+        if rows and all(base in row["values"] for row in rows):
             return base
     return None
 
@@ -94,7 +94,7 @@ class Threads:
         self.run = run
         # Serial has no threads: it is what others are held against.
         rows = [r for r in run.report["rows"] if r["factors"].get("scheduler") != "serial"]
-        self.rows = [r for r in rows if number_of(r["factors"].get("threads", "-")) is not None and r["values"]]
+        self.rows = [r for r in rows if number_of(r["factors"].get("threads", "-")) is not None and "fps" in r["values"]]
         self.counts = sorted({threads_of(r) for r in self.rows})
         self.layout = layout_of(self.rows, apart=("threads",))
         self.base = base_of(self.rows)
@@ -137,7 +137,7 @@ class Threads:
 
 def fastest_sentence(rows, layout):
     """What is fastest among the rows of a panel."""
-    best = max((r for r in rows if r["values"].get("fps")), key=lambda r: r["values"]["fps"]["value"])
+    best = max(rows, key=lambda r: r["values"]["fps"]["value"])
     who = layout.series_of(best)
     by = f"{who}, " if who != "this run" else ""
     return f"{by}{best['factors']['threads']} threads: {estimate_text(best['values']['fps'])} fps"
@@ -146,7 +146,7 @@ def fastest_sentence(rows, layout):
 def threads_chart(run):
     """None where fewer than two thread counts were run, or two of so many schedulers that names tell more than lines."""
     threads = Threads(run)
-    if len(threads.counts) < 2 or not any("fps" in r["values"] for r in threads.rows):
+    if len(threads.counts) < 2:
         return None
     if len(threads.counts) < 3 and len(threads.layout.panels) > 4:
         return None

@@ -1,7 +1,7 @@
 """Who worked when: a bar a chunk, a row a worker, from a trace of `raysweep render --trace`."""
 
 from report_page.chart import Chart
-from report_page.spec import SCHEMA, significant
+from report_page.spec import significant
 
 WIDTH, ROW = 860, 22
 # A bar narrower than a pixel shows nothing; neighbours are drawn as one above this count of chunks.
@@ -49,7 +49,7 @@ def timeline_spec(bars, rows):
         "tooltip": {"field": "tip"},
     }  # fmt: skip
     return {
-        "$schema": SCHEMA, "padding": 8, "width": WIDTH, "height": height, "data": [{"name": "points0", "values": bars}],
+        "padding": 8, "width": WIDTH, "height": height, "data": [{"name": "points0", "values": bars}],
         "scales": [
             {"name": "x", "type": "linear", "domain": {"data": "points0", "field": "to"}, "zero": True, "range": "width"},
             {"name": "y", "type": "band", "domain": rows, "range": "height", "padding": 0.15},

@@ -65,6 +65,12 @@ def label(factors, names):
     return ", ".join(texts)
 
 
+def unit_of(name, rows):
+    """A name for an axis of a factor, whose values say whether they are a thread's."""
+    each = any(PER_THREAD.fullmatch(row["factors"].get(name, "-")) for row in rows)
+    return f"{unit(name)} a thread" if each else unit(name)
+
+
 def unit(name):
     """A name for an axis."""
     return UNITS.get(name, name.replace("_", " "))

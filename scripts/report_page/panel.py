@@ -45,6 +45,7 @@ class Panel:
     lines: bool = True  # between points of a series
     steps: bool = False  # lines go level, then up
     markers: bool = True
+    dodged: bool = True  # series stand a little beside each other, for they share their x
     log_x: bool = False
     log_y: bool = False
     from_zero: bool = True
@@ -107,7 +108,7 @@ def dodge(panel, series):
     """(pixels by which each series stands beside the true x, pixels between two), so that none hides another."""
     xs = sorted({p.x for p in panel.points})
     there = [s for s in series if any(p.series == s for p in panel.points)]
-    if len(xs) < 2 or len(there) < 2 or not panel.markers:
+    if len(xs) < 2 or len(there) < 2 or not (panel.markers and panel.dodged):
         return dict.fromkeys(series, 0), 12.0
     low, high = x_domain(panel)
     if panel.log_x:

@@ -126,4 +126,7 @@ def read_run(folder):
     report = read_json(file)
     if report.get("schema") != SCHEMA:
         raise RunError(f"{file}: schema {report.get('schema')}; this page reads schema {SCHEMA}")
+    for row in report["rows"]:
+        # What a row was never measured for is no value of it.
+        row["values"] = {name: e for name, e in row["values"].items() if e and e["value"] is not None}
     return Run(folder, report, plan, machine)

@@ -2,7 +2,6 @@
 
 from report_page.panel import dodge, x_domain, y_domain
 
-SCHEMA = "https://vega.github.io/schema/vega/v5.json"
 DASHES = [[6, 3], [2, 2], [8, 2, 2, 2], [1, 4], [10, 4]]
 SHOWN = "!indata('hidden', 'value', datum.s)"
 INK, FAINT = {"signal": "ink"}, {"signal": "faint"}
@@ -121,7 +120,7 @@ def bound_marks(panel):
         at = {"x": {"scale": "x", "value": border.x}}
         marks.append({"type": "rule", "aria": False, "encode": {"update": at | {"y": {"value": -3 - 11 * (len(panel.borders) - 1 - number)}, "y2": {"value": panel.height}, "stroke": FAINT, "strokeWidth": {"value": 1}}}})  # fmt: skip
         # Two names are longer than what is between two lines: each has a height of its own.
-        above = -4 - 11 * (len(panel.borders) - 1 - number)
+        above = -3 - 11 * (len(panel.borders) - 1 - number)
         text = at | {"y": {"value": above}, "dx": {"value": -1}, "text": {"value": border.text + " →"}, "align": {"value": "left"}, "fontSize": {"value": 9}, "fill": {"signal": "ink"}}  # fmt: skip
         marks.append({"type": "text", "encode": {"update": text}})
     for bound in panel.bounds:
@@ -133,6 +132,13 @@ def bound_marks(panel):
             "marks": [{"type": "line", "from": {"data": "bound"}, "encode": {"update": line}}],
         })  # fmt: skip
     return marks
+
+
+def panel_title(panel):
+    """A mark, for Vega's own titles stand higher the more their axes need."""
+    at = {"x": {"value": 0}, "y": {"value": -12 - 12 * len(panel.borders)}, "limit": {"value": panel.width + 40}}
+    text = {"text": {"value": panel.title}, "fontWeight": {"value": "bold"}, "fontSize": {"value": 12}, "fill": INK, "baseline": {"value": "alphabetic"}}
+    return {"type": "text", "name": "panel_title", "interactive": False, "encode": {"update": at | text}}
 
 
 def axes_of(panel):
@@ -157,7 +163,7 @@ def panel_group(number, panel, series):
         scales[0] |= {"base": 2 if panel.x_values and all(float(v).is_integer() for v in panel.x_values) else 10}
     group = {"type": "group", **sized(panel.width, panel.height), "scales": scales, "axes": axes_of(panel), "marks": marks}
     if panel.title:
-        group["title"] = {"text": panel.title, "limit": panel.width + 40, "offset": 8 + 12 * len(panel.borders)}
+        group["marks"].append(panel_title(panel))
     return data, group
 
 
@@ -172,7 +178,7 @@ def panels_spec(panels, series, legend_title, columns=3, legend=True, bounds_tit
     bounds = list(dict.fromkeys(b.name for panel in panels for b in panel.bounds))
     legends = ([series_legend(legend_title)] if legend else []) + ([bounds_legend(bounds, bounds_title)] if bounds else [])
     return {
-        "$schema": SCHEMA, "padding": 8, "signals": signals, "data": data, "scales": series_scales(series, bounds),
+        "padding": 8, "signals": signals, "data": data, "scales": series_scales(series, bounds),
         "layout": {"padding": {"row": 28, "column": 30}, "columns": columns, "bounds": "full", "align": "each"},
         "legends": legends, "marks": groups,
     }  # fmt: skip
