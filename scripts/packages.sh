@@ -5,9 +5,10 @@ build_packages=(g++ cmake ninja-build pkg-config libfmt-dev libtomlplusplus-dev 
   libxxhash-dev libstb-dev libopenexr-dev libboost-dev libeigen3-dev libhwy-dev libgmp-dev libmuparser-dev)
 # Each of these may be missing; what it brings is then missing too. OpenMP on libgomp comes with g++; clang and libomp-dev
 # build the same schedulers for LLVM's runtime. zlib1g-dev is Assimp's: its package links to it without depending on it.
-# Python's two draw the charts of scripts/chart_study.
+# Python's two draw the charts of scripts/chart_study; Vega, what bundles it and what runs it, those of scripts/draw_report.
 optional_packages=(libtbb-dev clang libomp-dev libassimp-dev zlib1g-dev libbenchmark-dev libembree-dev
-  python3-matplotlib python3-jinja2)
-test_packages=(libgtest-dev)
+  python3-matplotlib python3-jinja2 node-vega esbuild nodejs librsvg2-bin)
+# Chromium opens the page of scripts/draw_report in a test, which is skipped without it.
+test_packages=(libgtest-dev chromium)
 # What .ci/run and .ci/long check beyond the tests.
 check_packages=(clang-format clang-tidy)

@@ -35,8 +35,7 @@ def other_charts(run):
 def charts_of(run):
     """All charts of a run, in the order of its section: printed numbers first, for they are what it was made for."""
     found = [published_chart(run)]
-    if run.report["rows"]:
-        found += picture_charts(run) if run.kind == "picture" else other_charts(run)
+    found += picture_charts(run) if run.kind == "picture" else other_charts(run)
     found += [timeline_chart(name, trace) for name, trace in run.traces]
     found.append(metg_chart(run))
     return [chart for chart in found if chart is not None]

@@ -163,6 +163,7 @@ class Browser(unittest.TestCase):
         self.assertGreater(len(charts), 4)
         for chart in charts:
             hidden = chart["hidden"][0]["value"]
+            self.assertLess(chart["after_click"], len(chart["points"]))
             self.assertEqual(chart["after_click"], sum(p["s"] != hidden for p in chart["points"]))
 
 
