@@ -2,7 +2,7 @@
 
 from report_page.chart import Chart, estimate_text, few_enough, main_quantity, point_of, samples_sentence
 from report_page.factors import number_of, telling, unit, unit_of
-from report_page.layout import layout_of, numeric
+from report_page.layout import layout_of, longest_line, numeric
 from report_page.panel import Panel, spread
 from report_page.spec import panels_spec
 
@@ -16,8 +16,7 @@ NO_AXIS = {"threads", "seed", "height", "bytes", "branches", "rays_at_once", "tr
 def sweep_factors(rows):
     """Factors of numbers that rows cannot be told without, those with most values first."""
     numbers = {name: values for name, values in numeric(rows).items() if name not in NO_AXIS and len(values) >= FEWEST}
-    kept = set(telling(rows))
-    return sorted((n for n in numbers if n in kept), key=lambda n: -len(numbers[n]))
+    return sorted((n for n in numbers if n in telling(rows) and longest_line(rows, n) >= FEWEST), key=lambda n: -len(numbers[n]))
 
 
 def sweep_chart(run, x, quantity):

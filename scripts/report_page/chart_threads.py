@@ -2,7 +2,7 @@
 
 from report_page.chart import Chart, estimate_text, few_enough, point_of, samples_sentence
 from report_page.factors import number_of
-from report_page.layout import layout_of
+from report_page.layout import layout_of, longest_line
 from report_page.panel import Border, Bound, Panel, Point, round_values, spread
 from report_page.spec import panels_spec
 from study_charts.numbers import short
@@ -146,7 +146,7 @@ def fastest_sentence(rows, layout):
 def threads_chart(run):
     """None where fewer than two thread counts were run, or two of so many schedulers that names tell more than lines."""
     threads = Threads(run)
-    if len(threads.counts) < 2:
+    if longest_line(threads.rows, "threads") < 2:
         return None
     if len(threads.counts) < 3 and len(threads.layout.panels) > 4:
         return None

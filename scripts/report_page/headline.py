@@ -67,7 +67,8 @@ def measured_of(group):
     ends = group["low"], group["high"]
     interval = "" if None in ends else f" [{short(ends[0])}, {short(ends[1])}]"
     name = ", ".join(f"{k.replace('_', ' ')} {v}" for k, v in group["group"].items()) or "all"
-    return Measured(name, short(group["value"]) + interval, range_text(group["expected_low"], group["expected_high"]), group["holds"])
+    value = group.get("problem") if group["value"] is None else short(group["value"]) + interval
+    return Measured(name, value or "no number", range_text(group["expected_low"], group["expected_high"]), group["holds"])
 
 
 def answer_of(run, anchor, claim):

@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from report_page.factors import in_order, label, number_of, telling, varying
+from report_page.factors import FOLLOWS, in_order, label, number_of, telling, varying
 from report_page.style import MOST_SERIES
 
 # More panels than these would not be looked at.
@@ -64,6 +64,16 @@ def layout_of(rows, apart=(), outer=()):
     panels = split(rows, panel_names) if panel_names else [("", rows)]
     series = [series_label(dict(zip(series_names, key)), series_names) for key in combinations(rows, series_names)] if series_names else ["this run"]
     return Layout(panels[:MOST_PANELS], list(dict.fromkeys(series)), series_names, max(0, len(panels) - MOST_PANELS))
+
+
+def longest_line(rows, name):
+    """The most values of a factor that any line over it has, all else being equal along it.
+
+    Settings that advance together, as in [sweep.zip], are no axis: what changes from one to the next is not one thing.
+    """
+    names = telling(rows, apart=(name,))
+    lines = [mine for _, mine in split(rows, names)] if names else [rows]
+    return max((len({r["factors"].get(name) for r in mine}) for mine in lines if not set(varying(mine)) - {name, *FOLLOWS}), default=0)
 
 
 def numeric(rows):

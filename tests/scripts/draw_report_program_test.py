@@ -20,7 +20,7 @@ import made_reports as made  # noqa: E402
 
 CHROMIUM = shutil.which("chromium")
 NAMESPACES = {"http://www.w3.org/1999/xlink", "http://www.w3.org/2000/svg", "http://www.w3.org/2000/xmlns/"}
-# Asks the page, once all is drawn: what each chart holds, how many marks it shows, and what a click on its legend does.
+# Asks the page, once all is drawn: what each chart holds, how many marks it shows, what it says of a mark, and what a click on its legend does.
 QUESTION = """<script>
 const until_drawn = setInterval(async () => {
   if (!document.documentElement.dataset.drawn) return;
@@ -30,6 +30,15 @@ const until_drawn = setInterval(async () => {
     const drawing = document.getElementById(name + '-chart');
     const marks = drawing.querySelectorAll('svg [aria-roledescription$="mark"], svg path, svg rect');
     told.charts[name] = {marks: marks.length, paper: view.background(), points: view.data('points0')};
+    const point = drawing.querySelector('.point_marks0 path');
+    if (point) {
+      const {left, top, width, height} = point.getBoundingClientRect();
+      const at = {bubbles: true, clientX: left + width / 2, clientY: top + height / 2};
+      for (const kind of ['mouseover', 'mousemove']) point.dispatchEvent(new MouseEvent(kind, at));
+      told.charts[name].tip = document.getElementById('tip').hidden ? null : document.getElementById('tip').textContent;
+      point.dispatchEvent(new MouseEvent('mouseout', at));
+      told.charts[name].tip_after = document.getElementById('tip').hidden;
+    }
     const entry = drawing.querySelector('.legend_symbols path');
     if (!entry) continue;
     entry.dispatchEvent(new MouseEvent('click', {bubbles: true}));
@@ -157,6 +166,14 @@ class Browser(unittest.TestCase):
             estimate = told[p["s"], p["x"]]
             for drawn, value in ((p["y"], estimate["value"]), (p["low"], estimate["low"]), (p["high"], estimate["high"])):
                 self.assertAlmostEqual(drawn / value, 1, places=5)
+
+    def test_pointing_at_a_mark_tells_its_value_interval_and_count(self):
+        charts = self.told["light"]["charts"]
+        self.assertEqual(charts["m11-t3-threads"]["tip"], "low threads 1fps 7.76 [7.682, 7.838]samples 7")
+        for name, chart in charts.items():
+            if "tip" in chart:
+                self.assertTrue(chart["tip"], name)
+                self.assertTrue(chart["tip_after"], name)
 
     def test_a_click_on_the_legend_hides_its_series(self):
         charts = [chart for chart in self.told["light"]["charts"].values() if "after_click" in chart]

@@ -65,6 +65,13 @@ class Factors(unittest.TestCase):
         self.assertEqual((len(found.panels), found.series), (9, ["this run"]))
 
 
+    def test_settings_that_advance_together_are_no_axis(self):
+        together = rows_of(*({"subpixels": n, "depth": n, "lights": 1} for n in (1, 2, 4)))
+        self.assertEqual(layout.longest_line(together, "subpixels"), 0)
+        alone = rows_of(*({"subpixels": n, "scheduler": s, "pin": s} for n in (1, 2, 4) for s in ("a", "b")))
+        self.assertEqual(layout.longest_line(alone, "subpixels"), 3)
+
+
 class Panels(unittest.TestCase):
     def test_borders_stand_behind_the_last_core_and_the_last_processor(self):
         self.assertEqual([(b.x, b.text) for b in borders_of(6, 12, 24)], [(6.5, "hyper-threads"), (12.5, "oversubscribed")])
