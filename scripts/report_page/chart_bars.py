@@ -7,7 +7,7 @@ from report_page.chart_sweep import LARGER_IS_BETTER
 from report_page.factors import label, telling, unit
 from report_page.layout import MOST_PANELS, split
 from report_page.panel import spread
-from report_page.spec import FAINT, significant, sized
+from report_page.marks import FAINT, significant, sized
 
 # More rows than these in one panel would be no picture.
 MOST_ROWS = 40
@@ -37,7 +37,9 @@ def bar_data(number, bars, quantity, raw):
     for name, row in bars.named:
         estimate = row["values"][quantity]
         low, high = (significant(estimate[end]) for end in ("low", "high"))
-        points.append({"s": name, "x": significant(estimate["value"]), "low": low, "high": high, "tip": [list(t) for t in tip_of(row, quantity, name)]})
+        points.append(
+            {"s": name, "x": significant(estimate["value"]), "low": low, "high": high, "tip": [list(t) for t in tip_of(row, quantity, name)]}
+        )
         samples += [{"s": name, "r": r, "x": significant(v)} for r, v in (row["samples"].get(quantity, []) if raw else [])]
     return [{"name": f"points{number}", "values": points}, {"name": f"samples{number}", "values": samples}]
 

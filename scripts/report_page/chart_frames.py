@@ -34,7 +34,22 @@ def steps_spec(layout, of):
     for title, mine in layout.panels[:MOST_PANELS]:
         points = [p for r in mine for p in steps_of(layout.series_of(r), of[r["cell"]])]
         wide = spread([p.x for p in points]) > 8
-        panels.append(Panel(title, QUANTITY, "share of frames done", points, y_format="~%", y_domain=[0, 1], steps=True, markers=False, from_zero=False, log_x=wide, width=250, height=170))
+        panels.append(
+            Panel(
+                title,
+                QUANTITY,
+                "share of frames done",
+                points,
+                y_format="~%",
+                y_domain=[0, 1],
+                steps=True,
+                markers=False,
+                from_zero=False,
+                log_x=wide,
+                width=250,
+                height=170,
+            )
+        )
     return panels_spec(panels, layout.series, layout.legend_title(), min(4, len(panels)), legend=len(layout.series) > 1)
 
 

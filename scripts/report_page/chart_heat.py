@@ -3,7 +3,7 @@
 from report_page.chart import Chart, estimate_text, tip_of
 from report_page.factors import in_order, label, telling
 from report_page.layout import combinations, split
-from report_page.spec import significant, sized
+from report_page.marks import significant, sized
 
 CELL, ROW = 68, 24  # pixels
 COLUMNS = ("chunk", "item")
@@ -31,7 +31,13 @@ def heat_group(number, title, rows, names, column, best):
     ]  # fmt: skip
     width, height = CELL * len(column_names), ROW * len(row_names)
     at = {"x": {"scale": "x", "field": "c"}, "y": {"scale": "y", "field": "r"}}
-    box = at | {"width": {"scale": "x", "band": 1}, "height": {"scale": "y", "band": 1}, "fill": {"scale": "heat", "field": "v"}, "stroke": {"signal": "paper"}, "tooltip": {"field": "tip"}}
+    box = at | {
+        "width": {"scale": "x", "band": 1},
+        "height": {"scale": "y", "band": 1},
+        "fill": {"scale": "heat", "field": "v"},
+        "stroke": {"signal": "paper"},
+        "tooltip": {"field": "tip"},
+    }
     light = {"test": "luminance(scale('heat', datum.v)) > 0.35", "value": "#1b1f24"}
     text = {
         "x": {"scale": "x", "field": "c", "band": 0.5}, "y": {"scale": "y", "field": "r", "band": 0.5}, "align": {"value": "center"}, "baseline": {"value": "middle"},
@@ -69,7 +75,9 @@ def heat_chart(run):
     if not (found := heat_names(rows)) or not (panels := panels_of(rows, *found)[:6]):
         return None
     names, column = found
-    data, groups = zip(*(heat_group(i, title, mine, names, column, best_of(mine)["values"]["fps"]["value"]) for i, (title, mine) in enumerate(panels)))
+    data, groups = zip(
+        *(heat_group(i, title, mine, names, column, best_of(mine)["values"]["fps"]["value"]) for i, (title, mine) in enumerate(panels))
+    )
     lowest = min(v["v"] for d in data for v in d["values"])
     spec = {
         "padding": 8, "data": list(data), "marks": list(groups),

@@ -17,7 +17,12 @@ def rows_of(lines):
 def point_of(row, series):
     line = row["line"]
     size, efficiency = float(line["task_ns"]), float(line["efficiency"])
-    return Point(series, size, efficiency, tip=[[series, ""], ["task", f"{short(size)} ns"], ["efficiency", f"{efficiency:.1%}"], ["a run", f"{short(float(line['run_ns']) / 1e3)} µs"]])
+    return Point(
+        series,
+        size,
+        efficiency,
+        tip=[[series, ""], ["task", f"{short(size)} ns"], ["efficiency", f"{efficiency:.1%}"], ["a run", f"{short(float(line['run_ns']) / 1e3)} µs"]],
+    )
 
 
 def metg_chart(run):
@@ -35,15 +40,23 @@ def metg_chart(run):
     panels = []
     for title, mine in layout.panels:
         points = [point_of(r, layout.series_of(r)) for r in mine]
-        panels.append(Panel(title, "ns a task", "efficiency", points, bounds, log_x=True, y_format="~%", y_domain=[0, 1.1], x_domain=wide, width=210, height=140))
+        panels.append(
+            Panel(
+                title, "ns a task", "efficiency", points, bounds, log_x=True, y_format="~%", y_domain=[0, 1.1], x_domain=wide, width=210, height=140
+            )
+        )
     title = f"On {most} threads, {best_sentence(run.overheads, most)}"
     text = "Each point is a run of as many equal tasks, one a chunk. METG(50 %) and METG(95 %) are where a line crosses the dashed levels for good; no interval: sizes are single runs."
-    return Chart("metg", title, text, panels_spec(panels, layout.series, layout.legend_title(), 4, legend=len(layout.series) > 1, bounds_title="levels"))
+    return Chart(
+        "metg", title, text, panels_spec(panels, layout.series, layout.legend_title(), 4, legend=len(layout.series) > 1, bounds_title="levels")
+    )
 
 
 def best_sentence(lines, most):
     """Who has the smallest METG(95 %) by overhead.csv, among those of which it could be told."""
-    told = [line for line in lines if line["scheduler"] != "serial" and int(line["threads"]) == most and line["metg95_kind"] in ("bracketed", "at_most")]
+    told = [
+        line for line in lines if line["scheduler"] != "serial" and int(line["threads"]) == most and line["metg95_kind"] in ("bracketed", "at_most")
+    ]
     if not told:
         return "no scheduler's METG(95 %) was found"
     best = min(told, key=lambda line: float(line["metg95_ns"]))

@@ -71,7 +71,15 @@ class Published:
         quantity = self.published["quantity"]
         y_title = f"{quantity.replace('_', ' ')} (first row = 1)" if self.normalised else unit(quantity)
         more = {"log_y": spread([p.y for p in points]) > 30} | more
-        return Panel(title, unit_of(self.x, self.rows), y_title, points, log_x=spread(xs) > 30, x_values=round_values(xs) if self.x == "threads" or len(xs) <= 8 else None, **more)
+        return Panel(
+            title,
+            unit_of(self.x, self.rows),
+            y_title,
+            points,
+            log_x=spread(xs) > 30,
+            x_values=round_values(xs) if self.x == "threads" or len(xs) <= 8 else None,
+            **more,
+        )
 
     def side_by_side(self):
         """Over threads: each on its own machine, whose cores end where they do."""
@@ -121,7 +129,9 @@ def title_of(published):
         return "As printed; nothing of it was measured here"
     _, ratio, row = far
     where = ", ".join(f"{n.replace('_', ' ')} {v}" for n, v in row["factors"].items() if n in (published.x, *published.layout.series_names))
-    return f"Beside the printed numbers, ours are farthest off at {where}: {short(ratio)} times" + (" (both normalised)" if published.normalised else "")
+    return f"Beside the printed numbers, ours are farthest off at {where}: {short(ratio)} times" + (
+        " (both normalised)" if published.normalised else ""
+    )
 
 
 def published_chart(run):

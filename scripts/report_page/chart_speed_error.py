@@ -78,7 +78,19 @@ def speed_error_chart(kernel_run, accuracy_run):
 
 def scatter(title, points, x_title, y_title, lines=False):
     xs, ys = ([p.x for p in points], [p.y for p in points])
-    return Panel(title, x_title, y_title, points, lines=lines, log_x=spread(xs) > 8, log_y=spread(ys) > 12, from_zero=spread(ys) > 3, width=210, height=170, dodged=False)
+    return Panel(
+        title,
+        x_title,
+        y_title,
+        points,
+        lines=lines,
+        log_x=spread(xs) > 8,
+        log_y=spread(ys) > 12,
+        from_zero=spread(ys) > 3,
+        width=210,
+        height=170,
+        dodged=False,
+    )
 
 
 def wrong_of(run):
@@ -104,4 +116,9 @@ def pixels_chart(run):
     worst = max(rows, key=lambda r: value(r, wrong))
     title = f"Most wrong: {label(worst['factors'], names)}, {unit(wrong)} {estimate_text(worst['values'][wrong])}"
     text = f"To the left is quick, below is right. {layout.sentence()}" + (f" Lines join {joined[0].replace('_', ' ')}." if joined else "")
-    return Chart("speed-pixels", title, text.strip(), panels_spec(panels, layout.series, layout.legend_title(), min(4, len(panels)), legend=len(layout.series) > 1))
+    return Chart(
+        "speed-pixels",
+        title,
+        text.strip(),
+        panels_spec(panels, layout.series, layout.legend_title(), min(4, len(panels)), legend=len(layout.series) > 1),
+    )

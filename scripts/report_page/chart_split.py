@@ -2,7 +2,7 @@
 
 from report_page.chart import Chart
 from report_page.factors import label, telling
-from report_page.spec import significant, sized
+from report_page.marks import significant, sized
 
 PARTS = {"busy": "inside items", "in_scheduler": "in the scheduler", "idle": "idle"}
 ROW, WIDTH, MOST_ROWS = 17, 420, 60
@@ -25,7 +25,9 @@ def values_of(lines):
         start = 0.0
         for part, title in PARTS.items():
             share = float(line[part])
-            values.append({"r": name, "s": title, "from": significant(start), "to": significant(start + share), "tip": [[name, ""], [title, f"{share:.1%}"]]})
+            values.append(
+                {"r": name, "s": title, "from": significant(start), "to": significant(start + share), "tip": [[name, ""], [title, f"{share:.1%}"]]}
+            )
             start += share
     return values
 
@@ -36,7 +38,15 @@ def inflation_values(lines):
         if line.get("inflation"):
             ends = [float(line[f"inflation_{end}"]) if line.get(f"inflation_{end}") else None for end in ("low", "high")]
             said = f"{float(line['inflation']):.1%}" + ("" if None in ends else f" [{ends[0]:.1%}, {ends[1]:.1%}]")
-            found.append({"r": name, "x": significant(float(line["inflation"])), "low": ends[0], "high": ends[1], "tip": [[name, ""], ["work inflation", said]]})
+            found.append(
+                {
+                    "r": name,
+                    "x": significant(float(line["inflation"])),
+                    "low": ends[0],
+                    "high": ends[1],
+                    "tip": [[name, ""], ["work inflation", said]],
+                }
+            )
     return found
 
 
@@ -59,7 +69,13 @@ def split_spec(lines):
         "fill": {"scale": "colour", "field": "s"}, "tooltip": {"field": "tip"},
     }  # fmt: skip
     at = {"y": {"scale": "y", "field": "r", "band": 0.5}}
-    rule = at | {"x": {"scale": "x", "field": "low"}, "x2": {"scale": "x", "field": "high"}, "stroke": {"signal": "ink"}, "strokeWidth": {"value": 2}, "opacity": [{"test": "isValid(datum.low)", "value": 1}, {"value": 0}]}  # fmt: skip
+    rule = at | {
+        "x": {"scale": "x", "field": "low"},
+        "x2": {"scale": "x", "field": "high"},
+        "stroke": {"signal": "ink"},
+        "strokeWidth": {"value": 2},
+        "opacity": [{"test": "isValid(datum.low)", "value": 1}, {"value": 0}],
+    }
     point = at | {"x": {"scale": "x", "field": "x"}, "fill": {"signal": "ink"}, "size": {"value": 45}, "tooltip": {"field": "tip"}}
     shares = group("all threads' time", "share of all threads' time", {"name": "x", "type": "linear", "domain": [0, 1], "range": [0, WIDTH]}, height, names,
                    [{"type": "rect", "name": "point_marks0", "from": {"data": "points0"}, "encode": {"update": bar}}], True)  # fmt: skip

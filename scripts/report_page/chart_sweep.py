@@ -41,7 +41,12 @@ def sweep_chart(run, x, quantity):
     title = f"{most} {unit(quantity)} at {x.replace('_', ' ')} {best['factors'][x]}{by}: {estimate_text(best['values'][quantity])}"
     text = f"{samples_sentence(rows, quantity)} {layout.sentence()}".strip()
     columns = min(len(panels), 3 if len(panels) < 4 else 4)
-    return Chart(f"sweep-{x.replace('_', '-')}-{quantity.replace('_', '-')}", title, text, panels_spec(panels, layout.series, layout.legend_title(), columns, legend=len(layout.series) > 1))
+    return Chart(
+        f"sweep-{x.replace('_', '-')}-{quantity.replace('_', '-')}",
+        title,
+        text,
+        panels_spec(panels, layout.series, layout.legend_title(), columns, legend=len(layout.series) > 1),
+    )
 
 
 def sweep_charts(run, quantity=None):

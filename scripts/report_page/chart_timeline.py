@@ -1,7 +1,7 @@
 """Who worked when: a bar a chunk, a row a worker, from a trace of `raysweep render --trace`."""
 
 from report_page.chart import Chart
-from report_page.spec import significant
+from report_page.marks import significant
 
 WIDTH, ROW = 860, 22
 # A bar narrower than a pixel shows nothing; neighbours are drawn as one above this count of chunks.
@@ -22,7 +22,15 @@ def bars_of(events):
         tip = [[names.get(event["tid"], str(event["tid"])), ""], [event["name"], f"{end - start:.3g} ms"]]
         if "processor" in event["args"]:
             tip.append(["on processor", str(event["args"]["processor"])])
-        bars.append({"r": names.get(event["tid"], str(event["tid"])), "from": significant(start), "to": significant(end), "n": event["args"].get("items", 0), "tip": tip})
+        bars.append(
+            {
+                "r": names.get(event["tid"], str(event["tid"])),
+                "from": significant(start),
+                "to": significant(end),
+                "n": event["args"].get("items", 0),
+                "tip": tip,
+            }
+        )
     return bars
 
 
@@ -76,5 +84,7 @@ def timeline_chart(name, trace):
     least, most = min(busy, key=busy.get), max(busy, key=busy.get)
     told = f": {most} is in items for {busy[most]:.3g} ms, {least} for {busy[least]:.3g} ms" if len(busy) > 1 else ""
     title = f"{name}: {len(workers):,} chunks on {len(busy)} worker{'s' if len(busy) > 1 else ''}{told}"
-    text = f"A blue bar is a chunk, a gap is time in the scheduler or idle, grey is a frame. Cell: {trace.get('otherData', {}).get('cell', 'not told')}"
+    text = (
+        f"A blue bar is a chunk, a gap is time in the scheduler or idle, grey is a frame. Cell: {trace.get('otherData', {}).get('cell', 'not told')}"
+    )
     return Chart(f"timeline-{name}", title, text, timeline_spec(merged(bars), rows))

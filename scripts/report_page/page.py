@@ -80,7 +80,14 @@ def published_table(run):
         rows.append([row["factors"].get(n, "–") for n in names] + cells)
     columns = [{"title": n.replace("_", " "), "number": True} for n in [*names, *heads]]
     note = "Brackets hold 95 % intervals of ours." + (" Each column is divided by its own first row: the machines differ." if normalised else "")
-    return Table("published", f"Printed beside ours: {published['quantity'].replace('_', ' ')}", [note], columns, rows, f"{run.folder.name}/tables/published.csv")
+    return Table(
+        "published",
+        f"Printed beside ours: {published['quantity'].replace('_', ' ')}",
+        [note],
+        columns,
+        rows,
+        f"{run.folder.name}/tables/published.csv",
+    )
 
 
 def sections_of(runs, charts):

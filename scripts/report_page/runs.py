@@ -105,7 +105,11 @@ def as_text_table(name, title, lines):
 def overhead_report(folder, machine):
     """As if it were an experiment: what scripts/record_overhead measured."""
     lines = read_table(folder / "overhead.csv")
-    tables = [as_text_table("overhead", "What handing work out costs, in ns; METG is the smallest task that keeps a share of all processors busy", lines)] if lines else []
+    tables = (
+        [as_text_table("overhead", "What handing work out costs, in ns; METG is the smallest task that keeps a share of all processors busy", lines)]
+        if lines
+        else []
+    )
     known = {key: machine.get(key) for key in ("host", "cpu")} | {key: machine.get(key, 0) for key in ("cores", "pus")}
     return {
         "schema": SCHEMA, "experiment": "overhead", "title": "What handing work out costs", "kind": "overhead",

@@ -76,7 +76,20 @@ class Program(unittest.TestCase):
         for file in files:
             self.assertEqual((self.folder / "one" / file).read_bytes(), (self.folder / "two" / file).read_bytes(), file)
         names = {f.stem for f in files}
-        for kind in ("m11-t3-published", "m11-t3-threads", "m11-t3-overhead", "m11-t3-frames", "m11-t3-timeline-marbles", "m11-t8-published", "m11-t8-sweep-leaf-fps", "chunks-heat-chunk", "speed-bars-nanoseconds", "speed-speed-error", "m11-aa-speed-pixels", "overhead-metg"):  # fmt: skip
+        for kind in (
+            "m11-t3-published",
+            "m11-t3-threads",
+            "m11-t3-overhead",
+            "m11-t3-frames",
+            "m11-t3-timeline-marbles",
+            "m11-t8-published",
+            "m11-t8-sweep-leaf-fps",
+            "chunks-heat-chunk",
+            "speed-bars-nanoseconds",
+            "speed-speed-error",
+            "m11-aa-speed-pixels",
+            "overhead-metg",
+        ):
             self.assertIn(kind, names)
         self.assertEqual({f.stem for f in files if f.suffix == ".svg"}, {f.stem for f in files if f.suffix == ".png"})
 
@@ -159,7 +172,9 @@ class Browser(unittest.TestCase):
     def test_what_a_chart_shows_are_the_values_of_the_report(self):
         """As the page holds them when it is drawn, against report.json."""
         report = json.loads((self.runs[0] / "report.json").read_text(encoding="utf-8"))
-        told = {(r["factors"]["mode"], int(r["factors"]["threads"])): r["values"]["fps"] for r in report["rows"] if r["factors"]["scheduler"] != "serial"}
+        told = {
+            (r["factors"]["mode"], int(r["factors"]["threads"])): r["values"]["fps"] for r in report["rows"] if r["factors"]["scheduler"] != "serial"
+        }
         points = self.told["light"]["charts"]["m11-t3-threads"]["points"]
         self.assertEqual({(p["s"], p["x"]) for p in points}, set(told))
         for p in points:

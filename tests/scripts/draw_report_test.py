@@ -43,7 +43,11 @@ class WithFolder(unittest.TestCase):
 
 class Factors(unittest.TestCase):
     def test_a_factor_that_follows_from_others_tells_nothing(self):
-        rows = rows_of({"mode": "low", "width": 512, "threads": 1, "pin": "-"}, {"mode": "low", "width": 512, "threads": 2, "pin": "none"}, {"mode": "hard", "width": 1024, "threads": 1, "pin": "-"})
+        rows = rows_of(
+            {"mode": "low", "width": 512, "threads": 1, "pin": "-"},
+            {"mode": "low", "width": 512, "threads": 2, "pin": "none"},
+            {"mode": "hard", "width": 1024, "threads": 1, "pin": "-"},
+        )
         self.assertEqual(factors.telling(rows), ["mode", "threads"])
         self.assertEqual(factors.telling(rows, apart=("threads",)), ["mode"])
 
@@ -52,7 +56,9 @@ class Factors(unittest.TestCase):
         self.assertEqual(factors.in_order(["rows", "16"]), ["rows", "16"])
 
     def test_a_label_leaves_out_what_has_no_value(self):
-        self.assertEqual(factors.label({"scheduler": "serial", "runtime": "-", "threads": "1"}, ["scheduler", "runtime", "threads"]), "serial, threads 1")
+        self.assertEqual(
+            factors.label({"scheduler": "serial", "runtime": "-", "threads": "1"}, ["scheduler", "runtime", "threads"]), "serial, threads 1"
+        )
 
     def test_the_innermost_factor_is_lines_and_the_others_are_panels(self):
         rows = rows_of(*({"mode": m, "scheduler": s, "threads": n} for m in ("low", "hard") for s in ("a", "b") for n in (1, 2)))
@@ -63,7 +69,6 @@ class Factors(unittest.TestCase):
         rows = rows_of(*({"scheduler": f"s{i}", "threads": n} for i in range(9) for n in (1, 2)))
         found = layout.layout_of(rows, apart=("threads",))
         self.assertEqual((len(found.panels), found.series), (9, ["this run"]))
-
 
     def test_settings_that_advance_together_are_no_axis(self):
         together = rows_of(*({"subpixels": n, "depth": n, "lights": 1} for n in (1, 2, 4)))
@@ -128,7 +133,10 @@ class Charts(WithFolder):
         chart = threads_chart(run)
         drawn = {(p["s"], p["x"], p["y"], p["low"], p["high"]) for p in data_of(chart, "points0")}
         kept = [r for r in run.report["rows"] if r["factors"]["scheduler"] != "serial"]
-        told = {(r["factors"]["mode"], float(r["factors"]["threads"]), *(float(f"{r['values']['fps'][e]:.6g}") for e in ("value", "low", "high"))) for r in kept}
+        told = {
+            (r["factors"]["mode"], float(r["factors"]["threads"]), *(float(f"{r['values']['fps'][e]:.6g}") for e in ("value", "low", "high")))
+            for r in kept
+        }
         self.assertEqual(drawn, told)
 
     def test_every_sample_is_drawn(self):
@@ -154,7 +162,11 @@ class Charts(WithFolder):
         self.assertEqual(sum(series == "here" for series, _ in drawn), 3)
 
     def test_chunks_a_thread_are_an_axis_of_numbers(self):
-        run = read_run(made.sweep_run(self.folder, "m11-t9", "chunk", "morozov2011_table9_chunks_per_thread_fps.csv", ["1/thread", "3/thread", "12/thread"], "{}/thread"))
+        run = read_run(
+            made.sweep_run(
+                self.folder, "m11-t9", "chunk", "morozov2011_table9_chunks_per_thread_fps.csv", ["1/thread", "3/thread", "12/thread"], "{}/thread"
+            )
+        )
         chart = sweep_charts(run)[0]
         self.assertEqual(sorted({p["x"] for p in data_of(chart, "points0")}), [1, 3, 12])
         self.assertIn("chunks a thread", json.dumps(chart.spec))
@@ -202,7 +214,9 @@ class Answers(WithFolder):
     def test_the_headline_counts_each_verdict(self):
         found = self.answers(made.claims())
         self.assertEqual(headline.counted(found), "3 claims of 1 experiment: 1 reproduced, 1 not reproduced, 1 cannot be tested here.")
-        self.assertEqual(headline.counted_in_source(found), "In the sources themselves: 1 holds in the source, 1 contradicted by its own table, 1 not in a table.")
+        self.assertEqual(
+            headline.counted_in_source(found), "In the sources themselves: 1 holds in the source, 1 contradicted by its own table, 1 not in a table."
+        )
 
     def test_a_summary_names_the_group_that_does_not_hold(self):
         groups = [made.group(1.25, True, 1.24, 1.26, {"mode": "low"}), made.group(1.5, False, 1.4, 1.6, {"mode": "hard"})]

@@ -86,17 +86,38 @@ def published_of(name, quantity, x, rows, rename=None):
             scaled = None
             if found and first[1]:
                 scaled = {end: found[end] / first[1]["value"] for end in ("value", "low", "high")}
-            cells.append({"factors": {x: at, "mode": mode}, "printed": float(text), "printed_normalised": float(text) / first[0], "ours": found, "ours_normalised": scaled})
+            cells.append(
+                {
+                    "factors": {x: at, "mode": mode},
+                    "printed": float(text),
+                    "printed_normalised": float(text) / first[0],
+                    "ours": found,
+                    "ours_normalised": scaled,
+                }
+            )
     return {"file": f"published/{name}", "quantity": quantity, "normalise": "first_row", "rows": cells}
 
 
 def threads_rows(draw, most=24):
-    rows = [row({"mode": m, "scheduler": "serial", "runtime": "-", "threads": 1}, "fps", 8.0 / (i + 1), draw, speedup=1.0, quality=1.0) for i, m in enumerate(MODES)]
+    rows = [
+        row({"mode": m, "scheduler": "serial", "runtime": "-", "threads": 1}, "fps", 8.0 / (i + 1), draw, speedup=1.0, quality=1.0)
+        for i, m in enumerate(MODES)
+    ]
     for i, mode in enumerate(MODES):
         for n in range(1, most + 1):
             speedup = min(n, 6) * (1.0 if n <= 6 else min(1.27, 1 + 0.045 * (n - 6))) * 0.97
             notes = ["oversubscribed"] if n > 12 else []
-            rows.append(row({"mode": mode, "scheduler": "omp_static", "runtime": "libgomp", "threads": n}, "fps", 8.0 / (i + 1) * speedup, draw, notes, speedup=speedup, quality=0.93))
+            rows.append(
+                row(
+                    {"mode": mode, "scheduler": "omp_static", "runtime": "libgomp", "threads": n},
+                    "fps",
+                    8.0 / (i + 1) * speedup,
+                    draw,
+                    notes,
+                    speedup=speedup,
+                    quality=0.93,
+                )
+            )
     return rows
 
 
@@ -189,7 +210,12 @@ def accuracy_run(folder):
         for precision in ("float", "double"):
             for case in ("F1", "F2"):
                 for k, difficulty in enumerate(("1", "100", "10000")):
-                    made = row({"method": method, "change": "base", "precision": precision, "case": case, "difficulty": difficulty}, "t_error_p99", 1.5 * (i + 1) * 10**k, draw)
+                    made = row(
+                        {"method": method, "change": "base", "precision": precision, "case": case, "difficulty": difficulty},
+                        "t_error_p99",
+                        1.5 * (i + 1) * 10**k,
+                        draw,
+                    )
                     made["samples"] = {}
                     made["values"]["t_error_p99"] |= {"low": None, "high": None}
                     rows.append(made)
@@ -208,9 +234,19 @@ def pixels_run(folder):
 def overhead_run(folder):
     """What scripts/record_overhead leaves: no report.json."""
     folder.mkdir(parents=True)
-    sizes = [f"{s},,default,2,2000,{n},{n * 10},{n * 11},{n / (n + 4 * (i + 1))}" for i, s in enumerate(("thread_dynamic", "tbb_auto")) for n in (1, 4, 16, 64, 256)]
-    (folder / "task_sizes.csv").write_text("\n".join(["scheduler,runtime,wait,threads,tasks,iterations,task_ns,run_ns,efficiency", *sizes]) + "\n", encoding="utf-8")
-    told = ["scheduler,runtime,wait,threads,metg95_ns,metg95_kind,notes", "thread_dynamic,,default,2,760,bracketed,", "tbb_auto,,default,2,1500,bracketed,drifted"]
+    sizes = [
+        f"{s},,default,2,2000,{n},{n * 10},{n * 11},{n / (n + 4 * (i + 1))}"
+        for i, s in enumerate(("thread_dynamic", "tbb_auto"))
+        for n in (1, 4, 16, 64, 256)
+    ]
+    (folder / "task_sizes.csv").write_text(
+        "\n".join(["scheduler,runtime,wait,threads,tasks,iterations,task_ns,run_ns,efficiency", *sizes]) + "\n", encoding="utf-8"
+    )
+    told = [
+        "scheduler,runtime,wait,threads,metg95_ns,metg95_kind,notes",
+        "thread_dynamic,,default,2,760,bracketed,",
+        "tbb_auto,,default,2,1500,bracketed,drifted",
+    ]
     (folder / "overhead.csv").write_text("\n".join(told) + "\n", encoding="utf-8")
     (folder / "machine.json").write_text(json.dumps(MACHINE), encoding="utf-8")
     return folder
