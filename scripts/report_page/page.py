@@ -1,7 +1,6 @@
 """The page's text: the answers, the machine, then a section an experiment."""
 
 import dataclasses
-import json
 import pathlib
 
 import jinja2
@@ -10,12 +9,11 @@ from report_page import style
 from report_page.chart import estimate_text
 from report_page.headline import anchors_of, answers_of, counted, counted_in_source
 from report_page.noise import load_text, noise_text, notes_of, warnings_of
+from report_page.size import PAGE_BYTES, embedded, fitting_specs, fitting_tables
 from study_charts.colours import variables
 from study_charts.machines import grouped
 from study_charts.numbers import short
 
-# The page is to be sent by mail. Tables that do not fit beside charts and script stay in the run's folder, which the page says.
-PAGE_BYTES = 2_900_000
 TEMPLATE = "report.html.jinja"
 
 
@@ -100,20 +98,6 @@ def sections_of(runs, charts):
     return sections
 
 
-def fitting(sections, place):
-    """The sections with as many tables, the smallest first, as `place` bytes hold; the others are named."""
-    every = sorted((t for s in sections for t in s.tables), key=lambda t: t.size)
-    kept, taken = set(), 0
-    for table in every:
-        taken += table.size
-        if taken <= place:
-            kept.add(id(table))
-    return [
-        dataclasses.replace(s, tables=[t for t in s.tables if id(t) in kept], left_out=[t.file for t in s.tables if id(t) not in kept])
-        for s in sections
-    ]  # fmt: skip
-
-
 @dataclasses.dataclass(frozen=True)
 class Machine:
     sections: list  # of runs on it
@@ -131,16 +115,12 @@ def machines_of(sections):
     return found
 
 
-def embedded(value):
-    """JSON to stand within a <script>."""
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/")
-
-
 def page(runs, charts, script, missing):
     """The text of report.html. `missing`: sentences on what is not drawn."""
     sections = sections_of(runs, charts)
     configs = {scheme: style.config(scheme, style.PAGE_FONT) for scheme in ("light", "dark")}
-    given = embedded({"configs": configs, "specs": {name: chart.described for s in sections for name, chart in s.charts}})
+    specs, slimmed = fitting_specs({name: chart.described for s in sections for name, chart in s.charts})
+    given = embedded({"configs": configs, "specs": specs})
     taken = len(script.encode()) + len(given.encode()) + sum(s.published.size for s in sections if s.published)
     answers = [a for s in sections for a in s.answers]
     environment = jinja2.Environment(
@@ -148,6 +128,6 @@ def page(runs, charts, script, missing):
     )  # fmt: skip
     return environment.get_template(TEMPLATE).render(
         answers=answers, counted=counted(answers), in_source=counted_in_source(answers), machines=machines_of(sections),
-        sections=fitting(sections, PAGE_BYTES - taken - 60_000 - 2_000 * len(answers)), missing=missing, given=given, script=script,
+        sections=fitting_tables(sections, PAGE_BYTES - taken - 60_000 - 2_000 * len(answers)), missing=missing, slimmed=slimmed, given=given, script=script,
         light=variables(dark=False), dark=variables(dark=True),
     )  # fmt: skip

@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(SCRIPTS), str(HERE)]
 
 import made_reports as made  # noqa: E402
-from report_page import chart_frames, chart_timeline, factors, headline, layout, noise, page, panel  # noqa: E402
+from report_page import chart_frames, chart_timeline, factors, headline, layout, noise, page, panel, size  # noqa: E402
 from report_page.chart_bars import bars_chart  # noqa: E402
 from report_page.chart_published import published_chart  # noqa: E402
 from report_page.chart_speed_error import speed_error_chart  # noqa: E402
@@ -245,8 +245,19 @@ class Page(WithFolder):
     def test_tables_that_do_not_fit_are_named_and_smaller_ones_stay(self):
         long = made.table() | {"name": "long", "rows": [["x" * 100, "1"]] * 100}
         section = page.sections_of([self.run_of("x", "picture", [], tables=[long, made.table()])], [[]])
-        kept = page.fitting(section, 1000)[0]
+        kept = size.fitting_tables(section, 1000)[0]
         self.assertEqual(([t.name for t in kept.tables], kept.left_out), (["scaling"], ["x/tables/long.csv"]))
+
+    def test_charts_with_most_samples_lose_them_first_and_their_estimates_never(self):
+        def spec(count):
+            return {"data": [{"name": "points0", "values": [1, 2]}, {"name": "samples0", "values": list(range(count))}]}
+
+        specs = {"few": spec(10), "many": spec(1000), "none": spec(0)}
+        kept, slimmed = size.fitting_specs(specs, 500)
+        self.assertEqual(slimmed, ["many"])
+        self.assertEqual((kept["few"], kept["none"]), (specs["few"], specs["none"]))
+        self.assertEqual([d["values"] for d in kept["many"]["data"]], [[1, 2], []])
+        self.assertEqual(size.fitting_specs(specs, 100_000), (specs, []))
 
     def test_machines_that_differ_in_load_alone_are_one(self):
         runs = []
@@ -262,7 +273,7 @@ class Page(WithFolder):
         self.assertNotIn("<b>?", text)
         self.assertNotIn("<at>", text)
         self.assertIn("it peaks &lt;at&gt; the end", text)
-        self.assertNotIn("</script>", page.embedded({"question": "</script>"}))
+        self.assertNotIn("</script>", size.embedded({"question": "</script>"}))
 
 
 if __name__ == "__main__":
