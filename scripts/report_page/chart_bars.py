@@ -7,7 +7,7 @@ from report_page.chart_sweep import LARGER_IS_BETTER
 from report_page.factors import label, telling, unit
 from report_page.layout import MOST_PANELS, split
 from report_page.panel import spread
-from report_page.marks import FAINT, significant, sized
+from report_page.marks import FAINT, intervals, significant, sized
 
 # More rows than these in one panel would be no picture.
 MOST_ROWS = 40
@@ -41,7 +41,7 @@ def bar_data(number, bars, quantity, raw):
             {"s": name, "x": significant(estimate["value"]), "low": low, "high": high, "tip": [list(t) for t in tip_of(row, quantity, name)]}
         )
         samples += [{"s": name, "r": r, "x": significant(v)} for r, v in (row["samples"].get(quantity, []) if raw else [])]
-    return [{"name": f"points{number}", "values": points}, {"name": f"samples{number}", "values": samples}]
+    return [{"name": f"points{number}", "values": points}, {"name": f"samples{number}", "values": samples}, intervals(number)]
 
 
 def bar_marks(number, sample):
@@ -51,7 +51,6 @@ def bar_marks(number, sample):
     colour = {"scale": "colour", "value": "value"}
     rule = {
         "x": {"scale": "x", "field": "low"}, "x2": {"scale": "x", "field": "high"}, "y": at["y"], "stroke": colour, "strokeWidth": {"value": 2.2},
-        "opacity": [{"test": "isValid(datum.low) && isValid(datum.high)", "value": 1}, {"value": 0}],
     }  # fmt: skip
     point = at | {
         "fill": colour, "stroke": {"signal": "paper"}, "strokeWidth": {"value": 0.8}, "size": {"value": 52}, "tooltip": {"field": "tip"},
@@ -59,7 +58,7 @@ def bar_marks(number, sample):
     }  # fmt: skip
     return [
         {"type": "symbol", "from": {"data": f"samples{number}"}, "clip": True, "aria": False, "encode": {"update": small}},
-        {"type": "rule", "from": {"data": f"points{number}"}, "interactive": False, "aria": False, "encode": {"update": rule}},
+        {"type": "rule", "from": {"data": f"intervals{number}"}, "interactive": False, "aria": False, "encode": {"update": rule}},
         {"type": "symbol", "name": f"point_marks{number}", "from": {"data": f"points{number}"}, "encode": {"update": point, "hover": {"size": {"value": 110}}}},
     ]  # fmt: skip
 

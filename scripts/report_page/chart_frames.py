@@ -13,14 +13,16 @@ MOST_POINTS = 120
 # With more panels than these nobody sees which of them differ.
 MOST_PANELS = 8
 MOST_COLUMNS = 3  # of thread counts with a panel each
+MOST_DOTS = 60  # a cell
 QUANTITY = "milliseconds a frame"
 
 
-def thinned(points):
-    if len(points) <= MOST_POINTS:
-        return points
-    step = -(-len(points) // MOST_POINTS)
-    return points[::step] + ([] if (len(points) - 1) % step == 0 else points[-1:])
+def thinned(ordered, most=MOST_POINTS):
+    """Every n-th and the last, so that there are hardly more than `most`."""
+    if len(ordered) <= most:
+        return ordered
+    step = -(-len(ordered) // most)
+    return ordered[::step] + ([] if (len(ordered) - 1) % step == 0 else ordered[-1:])
 
 
 def steps_of(series, seconds):
@@ -68,14 +70,14 @@ def dots_spec(run, rows, of):
         line = lines.get(tuple(row["factors"].get(n) for n in names))
         if line:
             low, middle, high = (float(line[q]) * 1e3 if line.get(q) else None for q in ("p5", "p50", "p95"))
-            frames = of[row["cell"]]
+            frames = [[number, seconds * 1e3] for number, seconds in enumerate(sorted(of[row["cell"]]), 1)]
             estimate = {"value": middle, "low": low, "high": high, "count": len(frames)}
-            found.append(row | {"values": {QUANTITY: estimate}, "samples": {QUANTITY: list(enumerate(s * 1e3 for s in frames))}})
+            found.append(row | {"values": {QUANTITY: estimate}, "samples": {QUANTITY: thinned(frames, MOST_DOTS)}})
     if not found:
         return None
     few = len({row["factors"].get("threads") for row in found}) <= MOST_COLUMNS
     panels = panels_of(found, QUANTITY, ("threads",) if few else ())[:MOST_PANELS]
-    return bars_spec(panels, QUANTITY, raw=True, sample="frame")
+    return bars_spec(panels, QUANTITY, raw=True, sample="frame, from the quickest")
 
 
 def frames_chart(run):
@@ -94,8 +96,9 @@ def frames_chart(run):
     text = f"{sum(len(of[r['cell']]) for r in rows):,} frames of all valid launches, warm-up frames aside. "
     if len(layout.panels) + layout.left_out > MOST_PANELS and (spec := dots_spec(run, rows, of)):
         text += f"Blue: the median, and from the 5th to the 95th of a hundred frames; the quickest {MOST_ROWS} cells of each panel."
+        text += f" Of more than {MOST_DOTS} frames every n-th by length is a dot, and the longest."
     else:
         spec = steps_spec(layout, of)
-        text += f"A steep line is a steady picture; a tail to the right is frames that were held up."
+        text += "A steep line is a steady picture; a tail to the right is frames that were held up."
         text += f" The first {MOST_PANELS} panels; records.jsonl has all." if len(layout.panels) > MOST_PANELS else ""
     return Chart("frames", title, text.strip(), spec)

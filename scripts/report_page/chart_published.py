@@ -17,17 +17,17 @@ def as_rows(published):
 
 
 def values_of(cell, normalised):
-    """(printed number, our estimate or None)."""
+    """(printed number, our estimate), each None where there is none. `printed` is the text that the paper has."""
     if normalised:
-        return cell.get("printed_normalised"), cell.get("ours_normalised")
-    return cell.get("printed"), cell.get("ours")
+        return cell["printed_normalised"], cell["ours_normalised"]
+    return float(cell["printed"]), cell["ours"]
 
 
 def printed_point(cell, series, x, normalised, tip):
     value, _ = values_of(cell, normalised)
     if value is None:
         return None
-    pairs = [*tip, ["printed", short(cell["printed"], 4)]]
+    pairs = [*tip, ["printed", cell["printed"]]]
     return Point(series, x, value, tip=pairs + ([["normalised", short(value, 4)]] if normalised else []))
 
 
@@ -46,10 +46,10 @@ class Published:
     def __init__(self, run):
         self.run, self.published = run, run.report["published"]
         self.rows = as_rows(self.published)
-        asked = run.plan.get("published") or {}
-        self.machine = asked.get("machine") or {}
+        self.machine = self.published["machine"]
         numbers = numeric(self.rows)
-        self.x = asked.get("rows") if asked.get("rows") in numbers else next(iter(sorted(numbers, key=lambda n: -len(numbers[n]))), None)
+        asked = [name for name in self.published["rows_are"] if name in numbers]
+        self.x = next(iter(asked or sorted(numbers, key=lambda n: -len(numbers[n]))), None)
         self.normalised = self.published["normalise"] != "none"
         self.layout = layout_of(self.rows, apart=(self.x,)) if self.x else None
 

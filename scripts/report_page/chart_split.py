@@ -2,7 +2,7 @@
 
 from report_page.chart import Chart
 from report_page.factors import label, telling
-from report_page.marks import significant, sized
+from report_page.marks import intervals, significant, sized
 
 PARTS = {"busy": "inside items", "in_scheduler": "in the scheduler", "idle": "idle"}
 ROW, WIDTH, MOST_ROWS = 17, 420, 60
@@ -74,7 +74,6 @@ def split_spec(lines):
         "x2": {"scale": "x", "field": "high"},
         "stroke": {"signal": "ink"},
         "strokeWidth": {"value": 2},
-        "opacity": [{"test": "isValid(datum.low)", "value": 1}, {"value": 0}],
     }
     point = at | {"x": {"scale": "x", "field": "x"}, "fill": {"signal": "ink"}, "size": {"value": 45}, "tooltip": {"field": "tip"}}
     shares = group("all threads' time", "share of all threads' time", {"name": "x", "type": "linear", "domain": [0, 1], "range": [0, WIDTH]}, height, names,
@@ -84,11 +83,11 @@ def split_spec(lines):
         ends = [v for row in inflation for v in (row["x"], row["low"], row["high"]) if v is not None] + [0]
         scale = {"name": "x", "type": "linear", "domain": [min(ends), max(ends) * 1.05 or 0.01], "range": [0, 220], "nice": True}
         groups.append(group("work inflation", "busy time over that of one thread − 1", scale, height, names, [
-            {"type": "rule", "from": {"data": "points1"}, "aria": False, "encode": {"update": rule}},
+            {"type": "rule", "from": {"data": "intervals1"}, "aria": False, "encode": {"update": rule}},
             {"type": "symbol", "name": "point_marks1", "from": {"data": "points1"}, "encode": {"update": point}},
         ], False))  # fmt: skip
     return {
-        "padding": 8, "data": [{"name": "points0", "values": values}, {"name": "points1", "values": inflation}],
+        "padding": 8, "data": [{"name": "points0", "values": values}, {"name": "points1", "values": inflation}, intervals(1)],
         "scales": [{"name": "colour", "type": "ordinal", "domain": list(PARTS.values()), "range": [{"signal": "first"}, {"signal": "second"}, {"signal": "rail"}]}],
         "legends": [{"fill": "colour", "symbolType": "square", "title": "where time went"}],
         "layout": {"padding": {"column": 24}, "columns": 2, "bounds": "full", "align": "each"}, "marks": groups,

@@ -29,6 +29,13 @@ class Measured:
     value: str
     expected: str
     holds: bool | None
+    problem: str  # why it was not decided; empty where it was
+
+    @property
+    def text(self):
+        """The number beside its range, and what kept it from a verdict."""
+        told = f"{self.value}, expected {self.expected}" if self.value else "no number"
+        return f"{told}; {self.problem}" if self.problem else told
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,11 +57,25 @@ class Answer:
     def summary(self, groups):
         """What decided: the only group; or how many hold, with one that does not where there is one."""
         if len(groups) == 1:
-            return f"{groups[0].value}, expected {groups[0].expected}"
+            return groups[0].text
         if not groups:
             return ""
         told = next((g for g in groups if g.holds is False), next((g for g in groups if g.holds is None), groups[0]))
-        return f"{sum(g.holds is True for g in groups)} of {len(groups)} hold; {told.group}: {told.value}, expected {told.expected}"
+        held, failed, open_ = (sum(g.holds is holds for g in groups) for holds in (True, False, None))
+        of = [f"{held} hold{'s' if held == 1 else ''}"] if held else []
+        of += [f"{failed} do{'es' if failed == 1 else ''} not"] if failed else []
+        of += [f"{open_} undecided"] if open_ else []
+        return f"Of {len(groups)}, {', '.join(of)}; {told.group}: {told.text}"
+
+    @property
+    def undecided(self):
+        """Whether something was measured, but no verdict could be had of it."""
+        return self.ours.mark == MARKS["cannot be tested here"] and any(g.value for g in self.our_groups)
+
+    @property
+    def shown_why(self):
+        """Why ours are as they are: nothing to say of what was not tested."""
+        return "" if self.ours.mark == MARKS["cannot be tested here"] else self.why
 
 
 def range_text(low, high):
@@ -67,8 +88,8 @@ def measured_of(group):
     ends = group["low"], group["high"]
     interval = "" if None in ends else f" [{short(ends[0])}, {short(ends[1])}]"
     name = ", ".join(f"{k.replace('_', ' ')} {v}" for k, v in group["group"].items()) or "all"
-    value = group.get("problem") if group["value"] is None else short(group["value"]) + interval
-    return Measured(name, value or "no number", range_text(group["expected_low"], group["expected_high"]), group["holds"])
+    value = "" if group["value"] is None else short(group["value"]) + interval
+    return Measured(name, value, range_text(group["expected_low"], group["expected_high"]), group["holds"], group["problem"] or "")
 
 
 def answer_of(run, anchor, claim):
@@ -102,6 +123,8 @@ def counted(answers):
     of = {text: sum(a.ours.text == text for a in answers) for text in MARKS}
     where = len({a.experiment for a in answers})
     told = ", ".join(f"{count} {text}" for text, count in of.items())
+    undecided = sum(a.undecided for a in answers)
+    told += f" ({undecided} of these measured, but undecided)" if undecided else ""
     return f"{len(answers)} claim{'s' if len(answers) > 1 else ''} of {where} experiment{'s' if where > 1 else ''}: {told}."
 
 

@@ -53,10 +53,15 @@ def line_mark(number, panel: Panel):
     return {"type": "group", "from": facet, "clip": True, "interactive": False, "marks": lines, "encode": sized(panel.width, panel.height)["encode"]}
 
 
+def intervals(number):
+    """The data set of those points of a panel that have an interval."""
+    both = {"type": "filter", "expr": "isValid(datum.low) && isValid(datum.high)"}
+    return {"name": f"intervals{number}", "source": f"points{number}", "transform": [both]}
+
+
 def interval_mark(number):
-    shown = [{"test": "isValid(datum.low)", "value": 1}, {"value": 0}]
-    update = {"x": x_at(), "y": y_at("low"), "y2": y_at("high"), "stroke": COLOUR, "strokeWidth": constant(1.8), "opacity": shown}
-    return mark("rule", update, f"points{number}", interactive=False, aria=False)
+    update = {"x": x_at(), "y": y_at("low"), "y2": y_at("high"), "stroke": COLOUR, "strokeWidth": constant(1.8)}
+    return mark("rule", update, f"intervals{number}", interactive=False, aria=False)
 
 
 def point_mark(number):

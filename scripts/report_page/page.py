@@ -15,6 +15,8 @@ from study_charts.machines import grouped
 from study_charts.numbers import short
 
 TEMPLATE = "report.html.jinja"
+# Tables of a run that the page tells in its own way.
+OWN = ("claims", "published")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -59,7 +61,7 @@ class Section:
 
 
 def table_of(run, made):
-    lines = made["title"].split("\n")
+    lines = made["caption"].split("\n")
     return Table(made["name"], lines[0] or made["name"], lines[1:], made["columns"], made["rows"], f"{run.folder.name}/tables/{made['name']}.csv")
 
 
@@ -73,7 +75,7 @@ def published_table(run):
     heads = ["printed", "here"] + (["printed / first row", "here / first row"] if normalised else [])
     rows = []
     for row in published["rows"]:
-        cells = [short(row["printed"], 4), estimate_text(row["ours"])]
+        cells = [row["printed"], estimate_text(row["ours"])]
         cells += [short(row["printed_normalised"], 4), estimate_text(row["ours_normalised"])] if normalised else []
         rows.append([row["factors"].get(n, "–") for n in names] + cells)
     columns = [{"title": n.replace("_", " "), "number": True} for n in [*names, *heads]]
@@ -92,7 +94,7 @@ def sections_of(runs, charts):
     """A section a run; `charts` are lists, one a run."""
     sections = []
     for run, anchor, mine in zip(runs, anchors_of(runs), charts):
-        tables = [table_of(run, t) for t in run.report["tables"] if t["rows"] and t["name"] != "published"]
+        tables = [table_of(run, t) for t in run.report["tables"] if t["rows"] and t["name"] not in OWN]
         named = [(f"{anchor}-{chart.name}", chart) for chart in mine]
         sections.append(Section(run, anchor, answers_of(run, anchor), named, published_table(run), tables, []))
     return sections

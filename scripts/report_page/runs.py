@@ -39,7 +39,6 @@ def read_table(file):
 class Run:
     folder: pathlib.Path
     report: dict  # report.json
-    plan: dict
     machine: dict
 
     @property
@@ -99,7 +98,7 @@ class Run:
 def as_text_table(name, title, lines):
     """A CSV as report.json has tables."""
     columns = [{"title": key.replace("_", " "), "number": key not in ("scheduler", "runtime", "wait", "notes")} for key in lines[0]]
-    return {"name": name, "title": title, "columns": columns, "rows": [list(line.values()) for line in lines]}
+    return {"name": name, "caption": title, "columns": columns, "rows": [list(line.values()) for line in lines]}
 
 
 def overhead_report(folder, machine):
@@ -121,11 +120,11 @@ def overhead_report(folder, machine):
 def read_run(folder):
     """One folder, with report.json, or of scripts/record_overhead. Raises RunError."""
     folder = pathlib.Path(folder)
-    machine, plan = (read_json(folder / name, missing_is={}) for name in ("machine.json", "plan.json"))
+    machine = read_json(folder / "machine.json", missing_is={})
     file = folder / "report.json"
     if not file.is_file():
         if (folder / OVERHEAD).is_file():
-            return Run(folder, overhead_report(folder, machine), plan, machine)
+            return Run(folder, overhead_report(folder, machine), machine)
         raise RunError(f"{folder}: has no report.json, which `raysweep report {folder}` writes from its records")
     report = read_json(file)
     if report.get("schema") != SCHEMA:
@@ -133,4 +132,4 @@ def read_run(folder):
     for row in report["rows"]:
         # What a row was never measured for is no value of it.
         row["values"] = {name: e for name, e in row["values"].items() if e and e["value"] is not None}
-    return Run(folder, report, plan, machine)
+    return Run(folder, report, machine)

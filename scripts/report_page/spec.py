@@ -1,6 +1,6 @@
 """Panels as one Vega specification: the page draws it so that it answers, the files draw the same."""
 
-from report_page.marks import FAINT, marks_of, significant, sized
+from report_page.marks import FAINT, intervals, marks_of, significant, sized
 from report_page.panel import dodge, x_domain, y_domain
 
 DASHES = [[6, 3], [2, 2], [8, 2, 2, 2], [1, 4], [10, 4]]
@@ -53,7 +53,8 @@ def panel_data(number, panel, series):
     ticks = [value_of(p, moved[p.series]) for p in panel.ticks]
     shown = [{"type": "filter", "expr": SHOWN}]
     named = [(f"points{number}", points), (f"samples{number}", samples), (f"ticks{number}", ticks)]
-    return [{"name": name, "values": values, "transform": shown} for name, values in named if values or name.startswith("points")]
+    found = [{"name": name, "values": values, "transform": shown} for name, values in named if values or name.startswith("points")]
+    return [*found, intervals(number)]
 
 
 def axes_of(panel):

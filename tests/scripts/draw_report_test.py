@@ -181,7 +181,7 @@ class Charts(WithFolder):
         chart = speed_error_chart(read_run(made.kernel_run(self.folder / "k")), read_run(made.accuracy_run(self.folder / "a")))
         points = {p["s"]: (p["x"], p["y"]) for p in data_of(chart, "points0")}
         # In float, at the hardest of three difficulties.
-        self.assertEqual(points["wald"], (7, 1.5 * 4 * 100))
+        self.assertEqual(points["wald"], (32, 1.5 * 4 * 100))
 
     def test_a_long_trace_keeps_its_workers_time_when_short_chunks_become_one_bar(self):
         bars = [{"r": "worker 0", "from": i * 0.1, "to": i * 0.1 + 0.1, "n": 1, "tip": []} for i in range(chart_timeline.MOST_BARS + 1)]
@@ -222,7 +222,15 @@ class Answers(WithFolder):
         groups = [made.group(1.25, True, 1.24, 1.26, {"mode": "low"}), made.group(1.5, False, 1.4, 1.6, {"mode": "hard"})]
         claim = made.claims()[0] | {"ours": made.side("not reproduced", groups)}
         answer = self.answers([claim])[0]
-        self.assertEqual(answer.summary(answer.our_groups), "1 of 2 hold; mode hard: 1.5 [1.4, 1.6], expected 1.2 to 1.3")
+        self.assertEqual(answer.summary(answer.our_groups), "Of 2, 1 holds, 1 does not; mode hard: 1.5 [1.4, 1.6], expected 1.2 to 1.3")
+
+    def test_what_was_measured_but_not_decided_says_so_and_nothing_of_why_it_would_differ(self):
+        groups = [made.group(1.25, None, problem="fewer than 6 rounds: no interval")]
+        claim = made.claims()[1] | {"ours": made.side("cannot be tested here", groups)}
+        answers = self.answers([claim, made.claims()[2]])
+        self.assertEqual(answers[0].summary(answers[0].our_groups), "1.25, expected 1.2 to 1.3; fewer than 6 rounds: no interval")
+        self.assertEqual([a.shown_why for a in answers], ["", ""])
+        self.assertIn("2 cannot be tested here (1 of these measured, but undecided)", headline.counted(answers))
 
     def test_ranges_are_told_by_the_ends_that_they_have(self):
         self.assertEqual([headline.range_text(*r) for r in ((1, 2), (1, None), (None, 0.1), (3, 3))], ["1 to 2", "≥ 1", "≤ 0.1", "3"])

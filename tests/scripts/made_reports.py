@@ -38,7 +38,7 @@ def report(experiment, kind, rows, **members):
 
 def table():
     return {
-        "name": "scaling", "title": "made up\nsecond line", "rows": [["a & b", "1.5 [1.4, 1.6]"], ["<c>", "–"]],
+        "name": "scaling", "title": "made up", "caption": "made up\nsecond line", "rows": [["a & b", "1.5 [1.4, 1.6]"], ["<c>", "–"]],
         "columns": [{"title": "scheduler", "number": False}, {"title": "fps", "number": True}],
     }  # fmt: skip
 
@@ -47,8 +47,17 @@ def side(verdict, groups=(), sentence="Made up."):
     return {"verdict": verdict, "sentence": sentence, "groups": list(groups)}
 
 
-def group(value, holds, low=None, high=None, of=None):
-    return {"group": of or {}, "value": value, "low": low, "high": high, "expected_low": 1.2, "expected_high": 1.3, "holds": holds}
+def group(value, holds, low=None, high=None, of=None, problem=None):
+    return {
+        "group": of or {},
+        "value": value,
+        "low": low,
+        "high": high,
+        "expected_low": 1.2,
+        "expected_high": 1.3,
+        "holds": holds,
+        "problem": problem,
+    }
 
 
 def claims():
@@ -89,13 +98,20 @@ def published_of(name, quantity, x, rows, rename=None):
             cells.append(
                 {
                     "factors": {x: at, "mode": mode},
-                    "printed": float(text),
+                    "printed": text,
                     "printed_normalised": float(text) / first[0],
                     "ours": found,
                     "ours_normalised": scaled,
                 }
             )
-    return {"file": f"published/{name}", "quantity": quantity, "normalise": "first_row", "rows": cells}
+    return {
+        "file": f"published/{name}",
+        "quantity": quantity,
+        "normalise": "first_row",
+        "rows_are": [x],
+        "machine": {"cores": 6, "pus": 12},
+        "rows": cells,
+    }
 
 
 def threads_rows(draw, most=24):
@@ -129,12 +145,11 @@ def frames(rows, draw):
     ]  # fmt: skip
 
 
-def write(folder, made, records=(), plan=None, files=None):
+def write(folder, made, records=(), files=None):
     """A run's folder; `files` are further ones, by their paths."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "report.json").write_text(json.dumps(made), encoding="utf-8")
     (folder / "machine.json").write_text(json.dumps(MACHINE | {"kernel": "Linux", "load": 0.1}), encoding="utf-8")
-    (folder / "plan.json").write_text(json.dumps(plan or {}), encoding="utf-8")
     if records:
         (folder / "records.jsonl").write_text("".join(json.dumps(r) + "\n" for r in records), encoding="utf-8")
     for name, text in (files or {}).items():
@@ -168,8 +183,7 @@ def threads_run(folder):
     rows = threads_rows(draw)
     printed = published_of("morozov2011_table3_openmp_fps.csv", "fps", "threads", rows)
     made = report("m11-t3", "picture", rows, claims=claims(), published=printed)
-    plan = {"published": {"rows": "threads", "machine": {"cores": 6, "pus": 12}}}
-    return write(folder, made, frames(rows, draw), plan, {"tables/schedule.csv": SCHEDULE, "tables/laws.csv": LAWS, "marbles.trace.json": trace()})
+    return write(folder, made, frames(rows, draw), {"tables/schedule.csv": SCHEDULE, "tables/laws.csv": LAWS, "marbles.trace.json": trace()})
 
 
 def sweep_run(folder, experiment, x, file, values, rename=None):
@@ -179,7 +193,7 @@ def sweep_run(folder, experiment, x, file, values, rename=None):
         row({"mode": m, "scheduler": "omp_static", x: v, "threads": 12}, "fps", 40 / (i + 1) / (1 + 0.1 * k), draw)
         for i, m in enumerate(MODES) for k, v in enumerate(values)
     ]  # fmt: skip
-    return write(folder, report(experiment, "picture", rows, published=published_of(file, "fps", x, rows, rename)), plan={"published": {"rows": x}})
+    return write(folder, report(experiment, "picture", rows, published=published_of(file, "fps", x, rows, rename)))
 
 
 def chunks_run(folder):
@@ -188,18 +202,27 @@ def chunks_run(folder):
         row({"scheduler": s, "runtime": "-", "chunk": c, "threads": 2}, "fps", 10 + i - abs(k - 2), draw)
         for i, s in enumerate(("thread_dynamic", "omp_dynamic", "omp_guided")) for k, c in enumerate(("1", "2", "8", "64", "512"))
     ]  # fmt: skip
+    rows[-1] = without_intervals(rows[-1])
     return write(folder, report("chunks", "picture", rows))
 
 
 METHODS = ["moller_trumbore", "kensler_shirley", "morozov", "wald", "plucker"]
 
 
+def without_intervals(made):
+    """As of fewer than six rounds."""
+    for e in made["values"].values():
+        e["low"] = e["high"] = None
+    return made
+
+
 def kernel_run(folder):
     draw = random.Random(4)
     rows = [
-        row({"kernel": "intersection", "method": m, "change": "base", "precision": p, "protocol": "random"}, "nanoseconds", 4 + i + (p == "double"), draw)
+        row({"kernel": "intersection", "method": m, "change": "base", "precision": p, "protocol": "random"}, "nanoseconds", 4 * 2**i * (1.25 if p == "double" else 1), draw)
         for i, m in enumerate(METHODS) for p in ("float", "double")
     ]  # fmt: skip
+    rows[-1] = without_intervals(rows[-1])
     return write(folder, report("speed", "kernel", rows))
 
 
