@@ -10,6 +10,7 @@ from report_page.chart_split import split_chart
 from report_page.chart_sweep import sweep_charts
 from report_page.chart_threads import threads_chart
 from report_page.chart_timeline import timeline_chart
+from report_page.layout import longest_line
 
 
 def picture_charts(run):
@@ -18,7 +19,8 @@ def picture_charts(run):
     yield threads
     yield from sweeps
     if not threads and not sweeps:
-        yield bars_chart(run, "fps", apart=("threads",))
+        # Where threads are an axis, but of too many lines, they are panels.
+        yield bars_chart(run, "fps", apart=("threads",) if longest_line(run.report["rows"], "threads") > 1 else ())
     yield heat_chart(run)
     yield split_chart(run)
     yield frames_chart(run)

@@ -106,8 +106,8 @@ def bound_marks(panel):
 
 def title_mark(panel):
     """A mark, for Vega's own titles stand higher the more their axes need."""
-    above = -12 - (HIGH_ABOVE + 1) * len(panel.borders)
-    update = {"x": constant(0), "y": constant(above), "limit": constant(panel.width + 40), "text": constant(panel.title), "fill": INK}
+    above = -12 - (HIGH_ABOVE + 1) * panel.head
+    update = {"x": constant(0), "y": constant(above), "limit": constant(panel.width + 70), "text": constant(panel.title), "fill": INK}
     update |= {"fontWeight": constant("bold"), "fontSize": constant(12), "baseline": constant("alphabetic")}
     return mark("text", update, name="panel_title", interactive=False)
 

@@ -54,6 +54,7 @@ class Panel:
     x_format: str | None = None
     y_domain: list | None = None
     x_domain: list | None = None
+    head: int = 0  # rows of names of borders above it; as many in all panels of a chart, so that their titles stand level
     width: int = 250
     height: int = 210
 

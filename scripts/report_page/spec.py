@@ -1,5 +1,7 @@
 """Panels as one Vega specification: the page draws it so that it answers, the files draw the same."""
 
+import dataclasses
+
 from report_page.marks import FAINT, intervals, marks_of, significant, sized
 from report_page.panel import dodge, x_domain, y_domain
 
@@ -86,8 +88,9 @@ def panels_spec(panels, series, legend_title, columns=3, legend=True, bounds_tit
     """The specification of panels side by side, `columns` in a row, with one legend for all."""
     signals, data = toggling()
     groups = []
+    head = max((len(panel.borders) for panel in panels), default=0)
     for number, panel in enumerate(panels):
-        more, group = panel_group(number, panel, series)
+        more, group = panel_group(number, dataclasses.replace(panel, head=head), series)
         data += more
         groups.append(group)
     bounds = list(dict.fromkeys(b.name for panel in panels for b in panel.bounds))

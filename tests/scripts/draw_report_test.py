@@ -161,6 +161,28 @@ class Charts(WithFolder):
                 self.assertAlmostEqual(drawn["here", x], cell["ours_normalised"]["value"], places=5)
         self.assertEqual(sum(series == "here" for series, _ in drawn), 3)
 
+    def test_a_printed_number_is_drawn_once_however_many_of_ours_stand_beside_it(self):
+        cells = []
+        for n, printed in ((1, "5.0"), (2, "9.0")):
+            for k, core in enumerate(("scalar", "wide")):
+                ours = made.estimate(6.0 * n + k)
+                cells.append(
+                    {
+                        "factors": {"depth": str(n), "core": core, "mode": "low"},
+                        "printed": printed,
+                        "printed_normalised": None,
+                        "ours": ours,
+                        "ours_normalised": None,
+                    }
+                )
+        table = {"file": "f", "quantity": "fps", "normalise": "none", "rows_are": ["depth"], "machine": {"cores": 6, "pus": 12}, "rows": cells}
+        chart = published_chart(self.run_of("x", "picture", [], published=table))
+        drawn = sorted((p["s"], p["x"], p["y"]) for p in data_of(chart, "points0"))
+        self.assertEqual(
+            drawn,
+            [("here, scalar", 1, 6), ("here, scalar", 2, 12), ("here, wide", 1, 7), ("here, wide", 2, 13), ("printed", 1, 5), ("printed", 2, 9)],
+        )
+
     def test_chunks_a_thread_are_an_axis_of_numbers(self):
         run = read_run(
             made.sweep_run(
