@@ -88,5 +88,5 @@ def heat_chart(run):
     title, mine = panels[0]
     best = best_of(mine)
     head = f"{title}: " if title else ""
-    said = f"{head}{label(best['factors'], names)} is fastest with {column} {best['factors'][column]}: {estimate_text(best['values']['fps'])} fps"
+    said = f"{head}{label(best['factors'], names)} is fastest with {column} {best['factors'][column]}: fps {estimate_text(best['values']['fps'])}"
     return Chart(f"heat-{column}", said, "Each cell is its fps over that of the panel's best; differences below the noise floor mean nothing.", spec)

@@ -140,7 +140,7 @@ def fastest_sentence(rows, layout):
     best = max(rows, key=lambda r: r["values"]["fps"]["value"])
     who = layout.series_of(best)
     by = f"{who}, " if who != "this run" else ""
-    return f"{by}{best['factors']['threads']} threads: {estimate_text(best['values']['fps'])} fps"
+    return f"{by}threads {best['factors']['threads']}: {estimate_text(best['values']['fps'])}"
 
 
 def threads_chart(run):
@@ -153,7 +153,7 @@ def threads_chart(run):
     panels, columns = threads.panels()
     panels = [p for p in panels if p.points]
     groups = threads.layout.panels
-    title = "Highest median: " + "; ".join((f"{t}: " if t else "") + fastest_sentence(rows, threads.layout) for t, rows in groups[:3])
+    title = "Highest median fps: " + "; ".join((f"{t}: " if t else "") + fastest_sentence(rows, threads.layout) for t, rows in groups[:3])
     text = ["Speedup and efficiency are paired by round."] if threads.base else []
     text.append(samples_sentence(threads.rows, "fps"))
     if any(p.ticks for p in panels):
