@@ -10,38 +10,72 @@ namespace raysweep {
 
 namespace {
 
-/// Every field but the parameter, which may be NaN, named once for both directions.
+/// Fields of every kernel, named once for both directions.
 template <class Each>
-void for_each_kernel_field(Each&& each) {
+void for_each_common_field(Each&& each) {
   using R = KernelRecord;
   each("schema", &R::schema), each("kind", &R::kind), each("experiment", &R::experiment);
   each("cell", &R::cell), each("launch", &R::launch), each("round", &R::round), each("seed", &R::seed);
   each("valid", &R::valid), each("reason", &R::reason), each("kernel", &R::kernel);
+  each("compiler", &R::compiler), each("isa", &R::isa), each("threads", &R::threads);
+  each("tests", &R::tests), each("iterations", &R::iterations), each("seconds", &R::seconds);
+}
+
+/// Those of intersection, but for the parameter, which may be NaN.
+template <class Each>
+void for_each_intersection_field(Each&& each) {
+  using R = KernelRecord;
   each("method", &R::method), each("change", &R::change), each("variant", &R::variant);
   each("precision", &R::precision), each("rays_at_once", &R::rays_at_once);
   each("triangles_at_once", &R::triangles_at_once), each("layout", &R::layout);
-  each("contraction", &R::contraction), each("compiler", &R::compiler), each("isa", &R::isa);
-  each("bytes", &R::bytes), each("protocol", &R::protocol), each("scene", &R::scene);
-  each("threads", &R::threads), each("hit_rate", &R::hit_rate), each("tests", &R::tests);
-  each("iterations", &R::iterations), each("seconds", &R::seconds);
+  each("contraction", &R::contraction), each("bytes", &R::bytes), each("protocol", &R::protocol);
+  each("scene", &R::scene), each("hit_rate", &R::hit_rate);
+}
+
+void add_ticks(nlohmann::json& json, const KernelRecord& record) {
+  if (!record.ticks) return;
+  const TickRecord& t = *record.ticks;
+  json["ticks"] = {{"min", t.min}, {"avg", t.avg}, {"max", t.max}, {"sum", t.sum}};
+}
+
+void expect_schema(const nlohmann::json& json) {
+  const int schema = json.at("schema").get<int>();
+  // Schema 1 is what 2 is of intersection.
+  expect_record(json, "kernel", schema == oldest_kernel_schema ? schema : kernel_schema);
 }
 
 }  // namespace
 
 nlohmann::json to_json(const KernelRecord& record) {
   nlohmann::json json;
-  for_each_kernel_field([&](const char* name, auto field) { json[name] = record.*field; });
-  json["parameter"] = std::isnan(record.parameter) ? nlohmann::json() : nlohmann::json(record.parameter);
+  const auto write = [&](const char* name, auto field) { json[name] = record.*field; };
+  for_each_common_field(write);
+  if (record.is_intersection()) {
+    for_each_intersection_field(write);
+    json["parameter"] = std::isnan(record.parameter) ? nlohmann::json() : nlohmann::json(record.parameter);
+  } else {
+    json["variant"] = record.factors;
+  }
+  add_ticks(json, record);
   return json;
 }
 
 std::string to_line(const KernelRecord& record) { return record_line(to_json(record)); }
 
 KernelRecord kernel_record_from_json(const nlohmann::json& json) {
-  expect_record(json, "kernel", kernel_schema);
+  expect_schema(json);
   KernelRecord record;
-  for_each_kernel_field([&](const char* name, auto field) { json.at(name).get_to(record.*field); });
-  if (const auto& parameter = json.at("parameter"); !parameter.is_null()) parameter.get_to(record.parameter);
+  const auto read = [&](const char* name, auto field) { json.at(name).get_to(record.*field); };
+  for_each_common_field(read);
+  if (record.is_intersection()) {
+    for_each_intersection_field(read);
+    if (const auto& parameter = json.at("parameter"); !parameter.is_null())
+      parameter.get_to(record.parameter);
+  } else {
+    json.at("variant").get_to(record.factors);
+  }
+  if (const auto ticks = json.find("ticks"); ticks != json.end())
+    record.ticks = {ticks->at("min"), ticks->at("avg"), ticks->at("max"), ticks->at("sum")};
   return record;
 }
 

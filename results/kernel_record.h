@@ -1,11 +1,13 @@
-// How long one kernel took on one list of tests in one round: one line of records.jsonl of an experiment of
-// the kind "kernel".
+// How long one kernel took in one round, on one list of tests or in one of its ways: one line of
+// records.jsonl of an experiment of the kind "kernel".
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,16 +15,26 @@
 
 namespace raysweep {
 
-inline constexpr int kernel_schema = 1;
+/// Older schemas are still read. 2 adds kernels other than intersection, their factors and ticks.
+inline constexpr int kernel_schema = 2, oldest_kernel_schema = 1;
 
+/// Of operations timed one by one, in ticks of the clock that machine.json tells.
+struct TickRecord {
+  double min = 0, avg = 0, max = 0, sum = 0;
+  friend bool operator==(const TickRecord&, const TickRecord&) = default;
+};
+
+/// What is of tests of rays alone, from `method` to `hit_rate`, other kernels leave empty.
 struct KernelRecord {
   int schema = kernel_schema;
   std::string kind = "kernel", experiment, cell;
   int launch = 0, round = 0;
   uint64_t seed = 0;
   bool valid = true;
-  std::string reason;  // why it is not
-  std::string kernel, method;
+  std::string reason;                          // why it is not
+  std::string kernel;                          // "intersection", or one of those with `factors`
+  std::map<std::string, std::string> factors;  // in files "variant"; empty for intersection
+  std::string method;
   std::string change;  // what differs from the method's base kernel: "rays=8"; "base" for itself
   VariantRecord variant;
   std::string precision;
@@ -34,10 +46,13 @@ struct KernelRecord {
   std::string scene;                                            // empty where the protocol has none
   int threads = 1;
   double hit_rate = 0;      // of the tests, as this kernel found it
-  uint64_t tests = 0;       // a pass
+  uint64_t tests = 0;       // a pass; operations of other kernels
   uint64_t iterations = 0;  // passes a sample
   // A sample each, of `iterations` passes: processor time, with several threads wall time. None if not valid.
   std::vector<double> seconds{};
+  std::optional<TickRecord> ticks{};  // of the kernels that time every operation
+
+  [[nodiscard]] bool is_intersection() const { return kernel == "intersection"; }
 };
 
 /// NaN is null in JSON.

@@ -16,10 +16,11 @@ void add_once(std::vector<std::string>& list, const std::string& value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-Estimate median_of(const std::map<int, double>& by_round) {
-  std::vector<double> samples;
-  for (const auto& [round, value] : by_round) samples.push_back(value);
-  return estimate_median(std::move(samples));
+void add_ticks(std::map<std::string, std::map<int, double>>& ticks, int round, const TickRecord& record) {
+  ticks["min"][round] = record.min;
+  ticks["avg"][round] = record.avg;
+  ticks["max"][round] = record.max;
+  ticks["sum"][round] = record.sum;
 }
 
 std::string key_of(const std::string& method, const std::string& change, const std::string& precision,
@@ -43,6 +44,12 @@ std::vector<KernelRecord> in_order_of(const std::vector<std::string>& cells,
 
 }  // namespace
 
+Estimate median_of(const std::map<int, double>& by_round) {
+  std::vector<double> samples;
+  for (const auto& [round, value] : by_round) samples.push_back(value);
+  return estimate_median(std::move(samples));
+}
+
 double nanoseconds_a_test(const KernelRecord& r) {
   return 1e9 * median(r.seconds) / (static_cast<double>(r.iterations) * static_cast<double>(r.tests));
 }
@@ -59,18 +66,26 @@ bool KernelRatio::shows_difference() const {
   return estimate.interval && (estimate.interval->low > 1 || estimate.interval->high < 1);
 }
 
-KernelResults::KernelResults(const std::vector<KernelRecord>& records) {
-  for (const KernelRecord& r : records) {
+KernelCellResult& KernelResults::cell_of(const KernelRecord& r) {
+  std::string key = r.cell;
+  if (r.is_intersection()) {
     const std::string tests = tests_of(r);
-    const auto [entry, is_new] =
-        index_.emplace(key_of(r.method, r.change, r.precision, tests), cells_.size());
-    if (is_new) cells_.push_back({r, {}, 0, {}, {}});
-    KernelCellResult& cell = cells_[entry->second];
+    key = key_of(r.method, r.change, r.precision, tests);
     add_once(methods_, r.method);
     add_once(precisions_, r.precision);
     add_once(tests_, tests);
+  }
+  const auto [entry, is_new] = index_.emplace(std::move(key), cells_.size());
+  if (is_new) cells_.push_back({r, {}, 0, {}, {}, {}});
+  return cells_[entry->second];
+}
+
+KernelResults::KernelResults(const std::vector<KernelRecord>& records) {
+  for (const KernelRecord& r : records) {
+    KernelCellResult& cell = cell_of(r);
     if (r.valid && !r.seconds.empty() && r.iterations > 0 && r.tests > 0) {
       cell.by_round[r.round] = nanoseconds_a_test(r);
+      if (r.ticks) add_ticks(cell.ticks, r.round, *r.ticks);
     } else if (cell.void_rounds++ == 0) {
       cell.reason = r.reason;
     }

@@ -16,16 +16,21 @@ namespace raysweep {
 /// Nanoseconds a test, the median of a record's samples, which must be there.
 [[nodiscard]] double nanoseconds_a_test(const KernelRecord& record);
 
+/// Over rounds. Not for none.
+[[nodiscard]] Estimate median_of(const std::map<int, double>& by_round);
+
 /// "random", "hit-rate 0.3", "replay chair-ball", "clusters 64, 2 threads": what was tested.
 [[nodiscard]] std::string tests_of(const KernelRecord& record);
 
-/// A kernel on a list of tests, over all rounds.
+/// A kernel on a list of tests, or in one of its ways, over all rounds.
 struct KernelCellResult {
   KernelRecord record;                  // the first, for all that is the same in each
   std::optional<Estimate> nanoseconds;  // a test: median over rounds; none without a valid record
   int void_rounds = 0;                  // records that are not valid
   std::string reason;                   // of the first of them
   std::map<int, double> by_round;       // nanoseconds of valid records
+  // Of kernels that time every operation: ticks by round; the statistics are min, avg, max and sum.
+  std::map<std::string, std::map<int, double>> ticks;
 };
 
 /// A kernel against the base kernel of its method on the same tests: below 1 it is faster. The median over
@@ -41,6 +46,9 @@ class KernelResults {
  public:
   explicit KernelResults(const std::vector<KernelRecord>& records);
 
+  /// Whether these are tests of rays; other kernels have cells alone: no methods, precisions and tests.
+  [[nodiscard]] bool are_intersection() const { return !methods_.empty() || cells_.empty(); }
+
   // All of these in the order in which the records name them first.
   [[nodiscard]] const std::vector<KernelCellResult>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<std::string>& methods() const { return methods_; }
@@ -54,6 +62,9 @@ class KernelResults {
   [[nodiscard]] std::optional<KernelRatio> against_base(const KernelCellResult& cell) const;
 
  private:
+  /// The cell of a record, new or there already.
+  [[nodiscard]] KernelCellResult& cell_of(const KernelRecord& record);
+
   std::vector<KernelCellResult> cells_;
   std::map<std::string, size_t> index_;
   std::vector<std::string> methods_, precisions_, tests_;

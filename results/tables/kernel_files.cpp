@@ -4,6 +4,7 @@
 
 #include "results/tables/kernel_tables.h"
 #include "results/tables/number_text.h"
+#include "results/tables/small_kernel_tables.h"
 #include "results/tables/table_files.h"
 #include "results/tables/write_file.h"
 
@@ -51,6 +52,7 @@ std::vector<std::string> data_row(const KernelResults& results, const KernelCell
 }  // namespace
 
 Table kernel_data(const KernelResults& results) {
+  if (!results.are_intersection()) return small_kernel_data(results);
   Table table;
   for (const char* title : {"cell",
                             "method",
@@ -93,8 +95,9 @@ std::string kernel_tables_as_text(const KernelData& data) {
   std::string text = fmt::format("{}: {}; {} of {} cells, {} rounds asked for\n", data.experiment, data.title,
                                  data.results.cells().size(), data.cells, data.rounds);
   const auto add = [&](const Table& table) { text.append("\n").append(to_text(table)); };
-  for (const NamedTable& named : speed_tables(data.results)) add(named.table);
-  for (const NamedTable& named : hit_rate_tables(data.results)) add(named.table);
+  for (const auto tables : {speed_tables, hit_rate_tables, operation_tables, tick_tables}) {
+    for (const NamedTable& named : tables(data.results)) add(named.table);
+  }
   if (const auto table = void_table(data.results)) add(*table);
   for (const NamedTable& named : factor_tables(data.results))
     text += fmt::format("\nWhat each factor changes, {} rows: tables/{}.md.\n", named.table.rows.size(),
@@ -108,7 +111,7 @@ std::string kernel_tables_as_text(const KernelData& data) {
 std::vector<NamedTable> write_kernel_tables(const KernelData& data, const std::filesystem::path& folder) {
   TableFolder files(folder);
   const auto write = [&](const std::string& name, const Table& table) { files.write(name, table); };
-  for (const auto tables : {speed_tables, hit_rate_tables, factor_tables}) {
+  for (const auto tables : {speed_tables, hit_rate_tables, factor_tables, operation_tables, tick_tables}) {
     for (const NamedTable& named : tables(data.results)) write(named.name, named.table);
   }
   if (const auto table = void_table(data.results)) write("void", *table);

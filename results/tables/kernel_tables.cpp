@@ -171,7 +171,7 @@ std::vector<NamedTable> factor_tables(const KernelResults& results) {
 }
 
 std::optional<Table> void_table(const KernelResults& results) {
-  Table table{"cells whose hits were wrong, which were not timed",
+  Table table{"cells whose results were wrong, which were not timed",
               {{"cell", false}, {"rounds"}, {"reason", false}},
               {}};
   for (const KernelCellResult& cell : results.cells()) {

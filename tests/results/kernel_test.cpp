@@ -6,6 +6,7 @@
 
 #include "results/record.h"
 #include "results/tables/kernel_tables.h"
+#include "results/tables/small_kernel_tables.h"
 
 namespace raysweep {
 namespace {
@@ -72,11 +73,59 @@ TEST(kernel_record, a_protocol_without_a_parameter_has_null_there) {
   EXPECT_TRUE(std::isnan(kernel_record_from_json(json).parameter));
 }
 
+TEST(kernel_record, of_schema_1_is_still_read) {
+  nlohmann::json json = to_json(made_up("wald", "base", 4, 2));
+  json["schema"] = 1;
+  const KernelRecord record = kernel_record_from_json(json);
+  EXPECT_EQ(record.method, "wald");
+  EXPECT_EQ(record.variant.division, "early");
+  EXPECT_EQ(record.round, 4);
+}
+
+/// 1000 operations, 10 passes a sample, of a kernel with factors.
+KernelRecord small(const std::string& vector, const std::string& iterations, int round, double nanoseconds) {
+  KernelRecord r;
+  r.experiment = "x";
+  r.kernel = "expression_templates";
+  r.factors = {{"vector", vector}, {"iterations", iterations}};
+  r.cell = "expression_templates/" + vector + '/' + iterations;
+  r.compiler = "gcc 12.2.0";
+  r.isa = "baseline";
+  r.round = round;
+  r.tests = 1000;
+  r.iterations = 10;
+  r.seconds.assign(3, nanoseconds * 1e-9 * 1000 * 10);
+  r.ticks = {nanoseconds, 2 * nanoseconds, 50 * nanoseconds, 2000 * nanoseconds};
+  return r;
+}
+
+std::vector<KernelRecord> small_rounds(const std::string& vector, const std::string& iterations,
+                                       const std::vector<double>& nanoseconds) {
+  std::vector<KernelRecord> records;
+  for (const double each : nanoseconds)
+    records.push_back(small(vector, iterations, static_cast<int>(records.size()), each));
+  return records;
+}
+
+TEST(kernel_record, of_other_kernels_has_their_factors_and_ticks_and_nothing_of_rays) {
+  KernelRecord record = small("eigen", "1000", 2, 3);
+  const auto json = nlohmann::json::parse(to_line(record));
+  EXPECT_EQ(json.at("variant"), (nlohmann::json{{"vector", "eigen"}, {"iterations", "1000"}}));
+  EXPECT_EQ(json.at("ticks").at("max"), 150);
+  EXPECT_FALSE(json.contains("method"));
+  const KernelRecord back = kernel_record_from_json(json);
+  EXPECT_EQ(back.factors, record.factors);
+  EXPECT_EQ(back.ticks, record.ticks);
+  EXPECT_EQ(to_line(back), to_line(record));
+  record.ticks.reset();
+  EXPECT_FALSE(kernel_record_from_json(to_json(record)).ticks);
+}
+
 TEST(kernel_record, others_are_refused) {
   nlohmann::json json = to_json(made_up("wald", "base", 0, 2));
-  json["schema"] = 2;
+  json["schema"] = 3;
   EXPECT_THROW(static_cast<void>(kernel_record_from_json(json)), RecordError);
-  json["schema"] = 1;
+  json["schema"] = 2;
   json["kind"] = "accuracy";
   EXPECT_THROW(static_cast<void>(kernel_record_from_json(json)), RecordError);
 }
@@ -164,6 +213,54 @@ TEST(kernel_tables, what_a_factor_changes_is_told_only_where_it_shows) {
                               {"b", "rays=8", "–"},
                               {"c", "rays=8", "0.500, no interval"}}));
   EXPECT_TRUE(factor_tables(KernelResults(rounds("a", "base", {1}))).empty());
+}
+
+TEST(kernel_results, of_other_kernels_are_told_apart_by_their_cell) {
+  const KernelResults results(
+      joined({small_rounds("eigen", "10", {1, 2, 3}), small_rounds("struct", "10", {4, 5, 6})}));
+  ASSERT_EQ(results.cells().size(), 2u);
+  EXPECT_FALSE(results.are_intersection());
+  EXPECT_TRUE(KernelResults(rounds("a", "base", {1})).are_intersection());
+  EXPECT_NEAR(results.cells()[1].nanoseconds->value, 5, 1e-9);
+  EXPECT_EQ(results.cells()[1].ticks.at("max"), (std::map<int, double>{{0, 200}, {1, 250}, {2, 300}}));
+  EXPECT_TRUE(speed_tables(results).empty());
+  EXPECT_TRUE(factor_tables(results).empty());
+}
+
+TEST(kernel_tables, of_other_kernels_set_their_ways_side_by_side) {
+  const KernelResults results(
+      joined({small_rounds("eigen", "10", {4}), small_rounds("eigen", "100", {6}),
+              small_rounds("struct", "10", {8}), small_rounds("valarray", "100", {3})}));
+  const auto tables = operation_tables(results);
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].name, "expression_templates");
+  EXPECT_EQ(tables[0].table.columns[1].title, "eigen");
+  EXPECT_EQ(tables[0].table.rows, (std::vector<Row>{{"10", "4.000", "1.000", "8.000", "2.000", "–", "–"},
+                                                    {"100", "6.000", "2.000", "–", "–", "3.000", "1.000"}}));
+  EXPECT_TRUE(operation_tables(KernelResults(rounds("a", "base", {1}))).empty());
+}
+
+TEST(kernel_tables, ticks_have_the_four_columns_of_the_paper) {
+  const auto tables = tick_tables(KernelResults(small_rounds("eigen", "10", {4, 5, 9})));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].name, "expression_templates-ticks");
+  EXPECT_EQ(tables[0].table.rows, (std::vector<Row>{{"10", "eigen", "5.000", "10.00", "250.0", "10000"}}));
+  auto records = small_rounds("eigen", "10", {4});
+  records[0].ticks.reset();
+  EXPECT_TRUE(tick_tables(KernelResults(records)).empty());
+}
+
+TEST(kernel_tables, data_of_other_kernels_have_a_column_for_each_factor) {
+  auto records = small_rounds("eigen", "10", {4});
+  records.push_back(small("struct", "10", 0, 5));
+  records.back().valid = false;
+  const Table table = kernel_data(KernelResults(records));
+  ASSERT_EQ(table.rows.size(), 2u);
+  for (const Row& row : table.rows) ASSERT_EQ(row.size(), table.columns.size());
+  EXPECT_EQ(table.columns[2].title, "iterations");
+  EXPECT_EQ(table.columns[3].title, "vector");
+  EXPECT_EQ(table.rows[0][3], "eigen");
+  EXPECT_EQ(table.rows[1].back(), "") << "void: no ticks";
 }
 
 TEST(kernel_tables, data_have_a_row_for_each_cell_with_every_digit) {

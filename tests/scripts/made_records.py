@@ -38,7 +38,7 @@ def accuracy_record(**members):
 def kernel_record(**members):
     """A round of 5 ns a test; `members` replaces what a test is about."""
     record = {
-        "schema": 1, "kind": "kernel", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
+        "schema": 2, "kind": "kernel", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
         "reason": "", "kernel": "intersection", "method": "wald", "change": "base", "variant": VARIANT, "precision": "float",
         "rays_at_once": 1, "triangles_at_once": 1, "layout": "aos", "contraction": "off", "compiler": "gcc 12.2.0",
         "isa": "scalar", "bytes": 48, "protocol": "random", "parameter": None, "scene": "", "threads": 1, "hit_rate": 0.1,
