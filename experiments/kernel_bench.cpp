@@ -8,6 +8,7 @@
 
 #include "experiments/intersection/replay.h"
 #include "experiments/kernel_timer.h"
+#include "experiments/small_kernel_bench.h"
 
 namespace raysweep {
 
@@ -45,7 +46,16 @@ class SharedPasses {
     }
   }
 
-  [[nodiscard]] const std::vector<std::unique_ptr<KernelPass>>& passes() const { return passes_; }
+  [[nodiscard]] std::vector<TimedPass> timed() const {
+    std::vector<TimedPass> list;
+    for (const auto& pass : passes_) {
+      list.emplace_back([one = pass.get()] {
+        const PassResult found = one->run();
+        return found.sum + static_cast<double>(found.hits);
+      });
+    }
+    return list;
+  }
   [[nodiscard]] uint64_t hits() const {
     uint64_t sum = 0;
     for (const auto& pass : passes_) sum += pass->run().hits;
@@ -120,7 +130,7 @@ KernelRecord measure_in(const KernelPlan& plan, BenchTests& tests, const KernelC
   record.valid = record.reason.empty();
   if (!record.valid) return record;
   const Timing timing =
-      time_passes(shared.passes(), {cell.key, plan.measure.samples, plan.measure.min_seconds, iterations});
+      time_passes(shared.timed(), {cell.key, plan.measure.samples, plan.measure.min_seconds, iterations, {}});
   record.iterations = timing.iterations;
   record.seconds = timing.seconds;
   return record;
@@ -142,6 +152,7 @@ KernelBench::KernelBench(const KernelPlan& plan) : plan_(plan), tests_(plan.test
 KernelBench::~KernelBench() = default;
 
 KernelRecord KernelBench::measure(const KernelCell& cell, int round, uint64_t iterations) {
+  if (cell.small) return measure_small_kernel(plan_, cell, round, iterations);
   auto& tests = tests_[cell.tests];
   if (!tests) {
     const KernelTests& asked = plan_.tests[cell.tests];

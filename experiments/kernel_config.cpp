@@ -19,6 +19,7 @@ namespace raysweep {
 namespace {
 
 constexpr int most_threads = 1024;
+constexpr std::string_view intersection = "intersection";
 
 std::vector<std::string_view> protocol_names() {
   std::vector<std::string_view> names;
@@ -57,9 +58,13 @@ class KernelParser : public TomlReader {
 
  private:
   void read_sweep(const toml::table& sweep) {
+    const auto kernels = kernel_names(sweep);
+    if (kernels.front() != intersection) {
+      config_.small = read_small_kernels(*this, sweep, kernels);
+      return;
+    }
     check_keys(sweep, "sweep.",
                {"kernel", "method", "protocol", "hit_rate", "precision", "variants", "scene", "threads"});
-    names(sweep, "kernel", {"intersection"}, "intersection");
     config_.methods = names(sweep, "method", study_method_names(), "all");
     config_.protocols = names(sweep, "protocol", protocol_names(), "random");
     config_.scenes = names(sweep, "scene", scenes_with_triangles(), "chair-ball");
@@ -72,6 +77,24 @@ class KernelParser : public TomlReader {
       fail(*sweep.get("variants"), fmt::format("unknown variants \"{}\"; possible: base, star", variants));
     read_hit_rates(sweep);
     read_threads(sweep);
+  }
+
+  /// Intersection alone, or others.
+  std::vector<std::string> kernel_names(const toml::table& sweep) {
+    std::vector<std::string_view> known{intersection};
+    for (const SmallKernel& kernel : all_small_kernels()) known.push_back(kernel.name);
+    std::vector<std::string> list;
+    for_each(sweep, "kernel", [&](const toml::node& one) {
+      const std::string name = one.value_exact<std::string>().value_or("");
+      if (std::ranges::find(known, name) == known.end())
+        fail(one, fmt::format("unknown kernel \"{}\"; built here: {}", name, fmt::join(known, ", ")));
+      else
+        add_once(list, name);
+    });
+    if (list.size() > 1 && std::ranges::find(list, intersection) != list.end())
+      fail(*sweep.get("kernel"), "kernel \"intersection\" is an experiment of its own; name it alone");
+    if (list.empty()) list.emplace_back(intersection);
+    return list;
   }
 
   void read_measure(const toml::table& measure) {
@@ -197,7 +220,7 @@ void add_cells(KernelPlan& plan, const KernelConfig& config, Precision precision
       if (kernels[i].method != method || !takes_part(kernels[i], plan.tests[tests], config)) continue;
       for (const int threads : config.threads) {
         std::string key = key_of(method, kernels[i].change, precision, plan.tests[tests], threads);
-        plan.cells.push_back({precision, i, tests, threads, std::move(key)});
+        plan.cells.push_back({precision, i, tests, threads, std::move(key), nullptr, {}});
       }
     }
   }
@@ -225,6 +248,10 @@ KernelConfig parse_kernel_config(const std::string& text, const std::string& fil
 
 KernelPlan make_plan(const KernelConfig& config) {
   KernelPlan plan{config.experiment, config.title, config.measure, config.claims.sheet, {}, {}, {}};
+  for (const SmallKernelSweep& sweep : config.small) {
+    for (SmallKernelCell& cell : cells_of(sweep, plan.left_out))
+      plan.cells.push_back({{}, 0, 0, 1, std::move(cell.key), sweep.kernel, std::move(cell.values)});
+  }
   for (const std::string& name : config.protocols) {
     for (const KernelTests& tests : tests_of(*find_protocol(name), config)) plan.tests.push_back(tests);
   }

@@ -8,6 +8,7 @@
 #include "experiments/claims_config.h"
 #include "experiments/intersection/accuracy.h"
 #include "experiments/intersection/subjects.h"
+#include "experiments/small_kernel_sweep.h"
 
 namespace raysweep {
 
@@ -25,6 +26,7 @@ struct KernelMeasure {
 struct KernelConfig {
   std::string file, text;  // text as run: with what --set changed
   std::string experiment, title;
+  std::vector<SmallKernelSweep> small;                  // empty: intersection, by what follows
   std::vector<std::string> methods, protocols, scenes;  // names, as listed
   std::vector<double> hit_rates;
   std::vector<Precision> precisions;
@@ -50,13 +52,15 @@ struct KernelTests {
   std::string scene;  // empty where the protocol has none
 };
 
-/// A kernel on a list of tests.
+/// A kernel of intersection on a list of tests; or, where `small` is not null, that one with its values.
 struct KernelCell {
   Precision precision{};
   size_t kernel = 0;  // index of `all_kernels` of that precision
   size_t tests = 0;   // index of the plan's
   int threads = 1;
   std::string key;  // "wald/division=late/float/hit-rate/0.3"; with more than one thread "…/2 threads"
+  const SmallKernel* small = nullptr;
+  FactorValues values{};
 };
 
 struct KernelPlan {

@@ -125,8 +125,12 @@ double estimate_seconds(const KernelPlan& plan) {
   // that find out how many passes there are come once: as much as half a sample.
   constexpr double share = 1.4, more = 0.5;
   const auto& m = plan.measure;
-  const double record = m.min_seconds * (share * m.samples + more);
-  return std::min(m.budget_seconds, record * static_cast<double>(record_count(plan)));
+  double round = 0;
+  for (const KernelCell& cell : plan.cells) {
+    const double pass = cell.small ? cell.small->rough_seconds(cell.values) : 0;
+    round += std::max(share * m.min_seconds, pass) * m.samples + more * m.min_seconds + 2 * pass;
+  }
+  return std::min(m.budget_seconds, round * m.rounds);
 }
 
 std::string plan_as_text(const KernelPlan& plan) {

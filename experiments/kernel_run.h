@@ -24,14 +24,14 @@ enum class KernelEnd { complete, out_of_budget, interrupted, failed };
 struct KernelReport {
   KernelEnd end = KernelEnd::complete;
   size_t records = 0;       // that there are now, with those of an earlier run
-  size_t void_records = 0;  // of those made now: hits were wrong
+  size_t void_records = 0;  // of those made now: results were wrong
   std::string first_void, failure;
 };
 
 /// Runs what the folder lacks: in each round all cells, in an order from the seed, one record each, which is
-/// written at once. Hits are compared before anything is timed: with those that are certain, and with the
-/// base kernel's of the method; by as many as tests are unclear they may differ. `quiet` keeps progress to
-/// itself. Ends early when the program is interrupted or the budget is used up.
+/// written at once. Results are compared before anything is timed: hits with those that are certain, and with
+/// the base kernel's of the method; by as many as tests are unclear they may differ. `quiet` keeps progress
+/// to itself. Ends early when the program is interrupted or the budget is used up.
 [[nodiscard]] KernelReport run_kernels(const KernelExperiment& experiment, bool quiet);
 
 /// What `--dry-run` tells: every cell, what is left out, and how often each is timed.

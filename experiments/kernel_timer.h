@@ -2,19 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace raysweep {
 
-class KernelPass;
+/// Does what is timed once, and tells a number that depends on all of it, so that no compiler leaves it out.
+using TimedPass = std::function<double()>;
 
 struct TimingRequest {
   std::string name;
   int samples = 1;
   double min_seconds = 0;   // a sample, where passes are not given
   uint64_t iterations = 0;  // passes a sample; 0: as many as `min_seconds` needs
+  /// Done before each pass, and not timed: passes are then timed one by one, by the clock of ticks. None: all
+  /// passes of a sample are timed together.
+  std::function<void()> before{};
 };
 
 struct Timing {
@@ -28,7 +32,6 @@ struct Timing {
 /// Times passes, each thread running one of `passes` as often as the others, after one that is not timed. Of
 /// one thread processor time is told, which other programs change least; of several wall time, in which one
 /// waits for the other. Not where `why_no_kernel_timer` says why.
-[[nodiscard]] Timing time_passes(const std::vector<std::unique_ptr<KernelPass>>& passes,
-                                 const TimingRequest& request);
+[[nodiscard]] Timing time_passes(const std::vector<TimedPass>& passes, const TimingRequest& request);
 
 }  // namespace raysweep

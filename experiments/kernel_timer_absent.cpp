@@ -1,6 +1,5 @@
 // In place of kernel_timer.cpp where Google Benchmark was not found.
 #include "experiments/errors.h"
-#include "experiments/intersection/kernel.h"
 #include "experiments/kernel_timer.h"
 
 namespace raysweep {
@@ -10,7 +9,7 @@ std::string why_no_kernel_timer() {
          "libbenchmark-dev, then configure and build anew";
 }
 
-Timing time_passes(const std::vector<std::unique_ptr<KernelPass>>&, const TimingRequest&) {
+Timing time_passes(const std::vector<TimedPass>&, const TimingRequest&) {
   throw WorkError(why_no_kernel_timer());
 }
 

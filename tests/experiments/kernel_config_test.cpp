@@ -85,9 +85,10 @@ TEST(kernel_config, each_bad_value_is_told_by_file_line_and_possible_values_all_
   EXPECT_EQ(
       errors(head + "[sweep]\nkernel = \"expressions\"\nprotocol = \"rnadom\"\nhit_rate = [0.5, 0.33, "
                     "\"all\"]\nthreads = [0, \"many\"]\nvariants = \"full\"\nmethod = []\nvariant = 1\n"),
+      "a.toml:4: unknown kernel \"expressions\"; built here: intersection, expression_templates, "
+      "virtual_calls, branches, dot_products\n"
       "a.toml:10: unknown key \"sweep.variant\"; possible: kernel, method, protocol, hit_rate, precision, "
       "variants, scene, threads\n"
-      "a.toml:4: unknown kernel \"expressions\"; built here: intersection, all\n"
       "a.toml:9: method is an empty list; name one value at least\n"
       "a.toml:5: unknown protocol \"rnadom\"; built here: random, hit-rate, worst-case, packet-common, "
       "packet-general, replay, clusters, all\n"
@@ -105,6 +106,45 @@ TEST(kernel_config, each_bad_value_is_told_by_file_line_and_possible_values_all_
                 .find("a.toml:4: unknown scene \"marbles\"; built here: chair-ball, "),
             0u)
       << "a scene without triangles";
+}
+
+TEST(kernel_config, other_kernels_have_factors_of_their_own_and_no_others) {
+  EXPECT_EQ(errors(head + "[sweep]\nkernel = \"branches\"\nhit_rate = [0.5, 0.33]\nbranches = \"maybe\"\n"
+                          "method = \"wald\"\n"),
+            "a.toml:6: unknown branches \"maybe\"; built here: yes, no, all\n"
+            "a.toml:5: hit_rate must be numbers from 0 to 1 in steps of 0.0125\n"
+            "a.toml:7: unknown key \"sweep.method\"; possible: kernel, branches, hit_rate");
+  EXPECT_EQ(errors(head + "[sweep]\nkernel = [\"virtual_calls\", \"expression_templates\"]\n"
+                          "length = [0, 2000000]\niterations = 2.5\nthreads = 2\n"),
+            "a.toml:5: length must be numbers from 1 to 1000000\n"
+            "a.toml:5: length must be numbers from 1 to 1000000\n"
+            "a.toml:6: iterations must be numbers from 1 to 10000000 in steps of 1\n"
+            "a.toml:7: unknown key \"sweep.threads\"; possible: kernel, dispatch, length, pass, vector, "
+            "iterations");
+  EXPECT_EQ(errors(head + "[sweep]\nkernel = [\"intersection\", \"branches\"]\n"),
+            "a.toml:4: kernel \"intersection\" is an experiment of its own; name it alone");
+}
+
+TEST(kernel_plan, of_other_kernels_has_every_combination_of_their_factors) {
+  const auto keys =
+      keys_of(plan_of("kernel = [\"virtual_calls\", \"expression_templates\"]\n"
+                      "dispatch = [\"virtual\", \"variant\"]\nlength = [10, 1000000]\n"
+                      "pass = \"first\"\nvector = \"eigen\"\niterations = 10\n"));
+  EXPECT_EQ(keys,
+            (std::set<std::string>{"virtual_calls/virtual/10/first", "virtual_calls/virtual/1000000/first",
+                                   "virtual_calls/variant/10/first", "virtual_calls/variant/1000000/first",
+                                   "expression_templates/eigen/10"}));
+}
+
+TEST(kernel_plan, tells_which_ways_this_processor_does_not_have) {
+  const KernelPlan plan = plan_of("kernel = \"dot_products\"\n");
+  EXPECT_EQ(plan.cells.size() + plan.left_out.size(), 4u);
+  EXPECT_TRUE(keys_of(plan).contains("dot_products/scalar"));
+  for (const Inapplicable& one : plan.left_out) {
+    EXPECT_EQ(one.method, "dot_products");
+    EXPECT_TRUE(one.change == "dpps" || one.change == "shuffles") << one.change;
+    EXPECT_NE(one.reason.find("SSE4.1"), std::string::npos) << one.reason;
+  }
 }
 
 TEST(kernel_plan, names_each_cell_once) {

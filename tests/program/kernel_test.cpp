@@ -161,6 +161,56 @@ TEST_F(KernelRun, bad_configs_are_refused_whole) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("bad")));
 }
 
+/// The configs of M11 with little to do.
+class SmallKernelRun : public KernelRun {
+ public:
+  [[nodiscard]] ProgramResult run_config(const std::string& name, const std::vector<std::string>& set) const {
+    std::vector<std::string> arguments{
+        "run",   std::string(RAYSWEEP_SOURCE_DIR) + "/experiments/configs/" + name,
+        "--out", folder.file("a"),
+        "--set", "measure.rounds=2",
+        "--set", "measure.samples=1",
+        "--set", "measure.min_time=0.00001"};
+    for (const std::string& one : set) arguments.insert(arguments.end(), {"--set", one});
+    return run_program(arguments);
+  }
+  void expect_a_run_of(size_t cells, const std::vector<std::string>& tables) const {
+    EXPECT_EQ(nlohmann::json::parse(in("a", "plan.json"))["cells"].size(), cells);
+    EXPECT_EQ(lines(in("a", "records.jsonl")), 2 * cells);
+    EXPECT_EQ(in("a", "records.jsonl").find("\"valid\":false"), std::string::npos);
+    EXPECT_EQ(lines(in("a", "tables/cells.csv")), cells + 1);
+    for (const std::string& table : tables) {
+      for (const char* suffix : {".md", ".csv", ".tex"})
+        EXPECT_NE(in("a", "tables/" + table + suffix), "") << table << suffix;
+    }
+    const std::string before = in("a", "tables/cells.csv");
+    EXPECT_EQ(run_program({"report", folder.file("a")}).exit_code, 0);
+    EXPECT_EQ(in("a", "tables/cells.csv"), before);
+  }
+};
+
+TEST_F(SmallKernelRun, times_expressions_of_four_floats) {
+  const ProgramResult result = run_config("m11-t2.toml", {"sweep.iterations=[10, 1000]"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("expression_templates: ticks of operations timed one by one"), std::string::npos)
+      << result.out;
+  expect_a_run_of(12, {"expression_templates", "expression_templates-ticks"});
+}
+
+TEST_F(SmallKernelRun, times_virtual_calls) {
+  const ProgramResult result = run_config("m11-virtual.toml", {"sweep.length=[1, 100, 10000]"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("virtual_calls: nanoseconds an operation"), std::string::npos) << result.out;
+  expect_a_run_of(30, {"virtual_calls"});
+}
+
+TEST_F(SmallKernelRun, times_tests_without_branches_and_dot_products) {
+  const ProgramResult result =
+      run_config("m11-branch.toml", {"sweep.hit_rate=[0, 1]", "sweep.dot=[\"scalar\", \"highway\"]"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_a_run_of(6, {"branches", "dot_products"});
+}
+
 TEST(KernelRunWithoutBenchmark, is_refused_with_what_to_do) {
   if (RAYSWEEP_HAS_BENCHMARK) GTEST_SKIP() << "built with Google Benchmark";
   const TemporaryFolder folder;
