@@ -12,6 +12,17 @@ ClaimScope scope_of_kind(const std::string& kind) {
   return scope;
 }
 
+/// Kernels without rays have the factors of their sweep.
+ClaimScope scope_of(const std::vector<SmallKernelSweep>& sweeps) {
+  ClaimScope scope{quantities_of("kernel"), {{"statistic", tick_statistics()}}};
+  for (const SmallKernelSweep& sweep : sweeps) {
+    scope.factors["kernel"].emplace_back(sweep.kernel->name);
+    for (size_t i = 0; i < sweep.values.size(); ++i)
+      scope.factors[std::string(sweep.kernel->factors[i].name)] = sweep.values[i];
+  }
+  return scope;
+}
+
 std::vector<std::string> names_of(const std::vector<Precision>& precisions) {
   std::vector<std::string> names;
   for (const Precision precision : precisions) names.emplace_back(name_of(precision));
@@ -36,6 +47,7 @@ ClaimScope claim_scope(const Config& config) {
 }
 
 ClaimScope claim_scope(const KernelConfig& config) {
+  if (!config.small.empty()) return scope_of(config.small);
   ClaimScope scope = scope_of_kind("kernel");
   scope.factors["method"] = config.methods;
   scope.factors["protocol"] = config.protocols;

@@ -24,6 +24,9 @@ struct TickRecord {
   friend bool operator==(const TickRecord&, const TickRecord&) = default;
 };
 
+/// The names of its members.
+[[nodiscard]] inline std::vector<std::string> tick_statistics() { return {"min", "avg", "max", "sum"}; }
+
 /// What is of tests of rays alone, from `method` to `hit_rate`, other kernels leave empty.
 struct KernelRecord {
   int schema = kernel_schema;

@@ -18,7 +18,8 @@ namespace raysweep {
 /// build_seconds, and rays of a frame.
 [[nodiscard]] std::vector<MeasuredCell> measured_cells(const RunData& run);
 
-/// nanoseconds of a test.
+/// nanoseconds of a test or of an operation; of kernels that time every operation also ticks, by the factor
+/// `statistic`.
 [[nodiscard]] std::vector<MeasuredCell> measured_cells(const KernelData& run);
 
 /// Errors and failures, which are exact: the same seed gives the same.

@@ -19,6 +19,11 @@ Factors factors_of(const VariantRecord& v) {
 }
 
 Factors factors_of(const KernelRecord& r) {
+  if (!r.is_intersection() && !r.kernel.empty()) {
+    Factors factors = r.factors;
+    factors["kernel"] = r.kernel;
+    return factors;
+  }
   Factors factors = factors_of(r.variant);
   factors.insert({{"kernel", r.kernel},
                   {"method", r.method},
@@ -71,6 +76,16 @@ void add_errors(MeasuredCell& cell, const std::string& name, const ErrorRecord& 
   add_exact(cell, (name + "_max").c_str(), errors.max);
 }
 
+/// Each statistic is a cell of its own, since it is a factor of claims and of what papers print.
+void add_ticks(std::vector<MeasuredCell>& list, const KernelCellResult& result) {
+  for (const auto& [statistic, by_round] : result.ticks) {
+    MeasuredCell& cell =
+        list.emplace_back(MeasuredCell{result.record.cell + '/' + statistic, factors_of(result.record), {}});
+    cell.factors["statistic"] = statistic;
+    cell.values["ticks"] = observation_of(by_round);
+  }
+}
+
 }  // namespace
 
 std::vector<MeasuredCell> measured_cells(const KernelData& run) {
@@ -80,6 +95,7 @@ std::vector<MeasuredCell> measured_cells(const KernelData& run) {
     cell.values["nanoseconds"] = observation_of(result.by_round);
     if (result.void_rounds > 0)
       cell.notes.push_back(fmt::format("{} rounds void: {}", result.void_rounds, result.reason));
+    add_ticks(list, result);
   }
   return list;
 }

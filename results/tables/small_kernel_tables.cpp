@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "results/tables/number_text.h"
@@ -11,8 +10,6 @@
 namespace raysweep {
 
 namespace {
-
-constexpr std::array<const char*, 4> statistics{"min", "avg", "max", "sum"};
 
 using Cells = std::vector<const KernelCellResult*>;
 using Texts = std::vector<std::string>;
@@ -139,12 +136,12 @@ std::vector<NamedTable> tick_tables(const KernelResults& results) {
                 {}};
     for (const std::string& factor : factors)
       table.columns.push_back({factor, std::ranges::all_of(values_of(cells, factor), is_number)});
-    for (const char* statistic : statistics) table.columns.push_back({statistic});
+    for (const std::string& statistic : tick_statistics()) table.columns.push_back({statistic});
     for (const KernelCellResult* cell : cells) {
       if (cell->ticks.empty()) continue;
       table.rows.emplace_back();
       for (const std::string& factor : factors) table.rows.back().push_back(value_of(*cell, factor));
-      for (const char* statistic : statistics)
+      for (const std::string& statistic : tick_statistics())
         table.rows.back().push_back(with_interval(median_of(cell->ticks.at(statistic))));
     }
     if (!table.rows.empty()) tables.push_back({kernel + "-ticks", std::move(table)});
@@ -169,7 +166,7 @@ Table small_kernel_data(const KernelResults& results) {
     for (const size_t count : {size_t{r.tests}, cell->by_round.size(), size_t(cell->void_rounds)})
       row.push_back(fmt::format("{}", count));
     for (const auto& text : unrounded(cell->nanoseconds)) row.push_back(text);
-    for (const char* statistic : statistics) {
+    for (const std::string& statistic : tick_statistics()) {
       const auto found = cell->ticks.find(statistic);
       row.push_back(found == cell->ticks.end() ? "" : unrounded(median_of(found->second))[0]);
     }
