@@ -47,10 +47,9 @@ class AccuracyParser : public TomlReader {
     for (const std::string& name : names_or_all(sweep, "precision", {"float", "double"}))
       config_.precisions.push_back(name == "float" ? Precision::float_precision
                                                    : Precision::double_precision);
-    const std::string variant = text_or(sweep, "variant", "base");
-    config_.star = variant == "star";
-    if (variant != "base" && variant != "star")
-      fail(*sweep.get("variant"), fmt::format("unknown variant \"{}\"; possible: base, star", variant));
+    config_.variants =
+        read_variants(*this, sweep, "variant",
+                      changes_of(run_subjects<float>(), run_subjects<double>(), inapplicable_here()));
   }
 
   void read_measure(const toml::table& measure) {
@@ -70,7 +69,7 @@ std::vector<size_t> chosen_subjects(const AccuracyConfig& config) {
   const auto& subjects = run_subjects<T>();
   for (const std::string& method : config.methods) {
     for (size_t i = 0; i < subjects.size(); ++i) {
-      if (subjects[i].method == method && (config.star || subjects[i].change == "base")) chosen.push_back(i);
+      if (subjects[i].method == method && config.variants.takes(subjects[i].change)) chosen.push_back(i);
     }
   }
   return chosen;
@@ -117,14 +116,9 @@ AccuracyPlan make_plan(const AccuracyConfig& config) {
       }
     }
   }
-  if (!config.star) return plan;
-  for (const Inapplicable& one : inapplicable_here()) {
-    const bool asked =
-        std::any_of(config.precisions.begin(), config.precisions.end(),
-                    [&](Precision precision) { return name_of(precision) == one.precision; }) &&
-        std::find(config.methods.begin(), config.methods.end(), one.method) != config.methods.end();
-    if (asked) plan.left_out.push_back(one);
-  }
+  std::vector<std::string_view> precisions;
+  for (const Precision precision : config.precisions) precisions.push_back(name_of(precision));
+  plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, precisions);
   return plan;
 }
 

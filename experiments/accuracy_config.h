@@ -8,6 +8,7 @@
 #include "experiments/claims_config.h"
 #include "experiments/intersection/accuracy.h"
 #include "experiments/intersection/run_subjects.h"
+#include "experiments/variant_choice.h"
 
 namespace raysweep {
 
@@ -17,8 +18,8 @@ struct AccuracyConfig {
   AccuracySettings settings;
   std::vector<std::string> methods, cases;  // names, as listed
   std::vector<Precision> precisions;
-  bool star = false;  // all variants that differ from the base in one factor; else the base alone
-  int threads = 0;    // 0: as many as there are processors that this process may use
+  VariantChoice variants;
+  int threads = 0;  // 0: as many as there are processors that this process may use
   ClaimsConfig claims;
 };
 

@@ -10,6 +10,7 @@
 #include "experiments/claim_scopes.h"
 #include "experiments/config_toml.h"
 #include "experiments/intersection/protocols.h"
+#include "experiments/intersection/run_subjects.h"
 #include "experiments/read_claims.h"
 #include "experiments/toml_reader.h"
 #include "tracer/scene/scenes.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int most_threads = 1024;
 constexpr std::string_view intersection = "intersection";
+constexpr const char* without_early_outs = "early_out=no";
 
 std::vector<std::string_view> protocol_names() {
   std::vector<std::string_view> names;
@@ -71,10 +73,9 @@ class KernelParser : public TomlReader {
     for (const std::string& name : names(sweep, "precision", {"float", "double"}, "all"))
       config_.precisions.push_back(name == "float" ? Precision::float_precision
                                                    : Precision::double_precision);
-    const std::string variants = text_or(sweep, "variants", "base");
-    config_.star = variants == "star";
-    if (variants != "base" && variants != "star")
-      fail(*sweep.get("variants"), fmt::format("unknown variants \"{}\"; possible: base, star", variants));
+    config_.variants =
+        read_variants(*this, sweep, "variants",
+                      changes_of(all_kernels<float>(), all_kernels<double>(), inapplicable_here()));
     read_hit_rates(sweep);
     read_threads(sweep);
   }
@@ -172,7 +173,8 @@ class KernelParser : public TomlReader {
 /// In the worst case every kernel takes part at 1, variants alone elsewhere.
 std::vector<double> hit_rates_of(const Protocol& protocol, const KernelConfig& config) {
   if (protocol.name != "worst-case") return config.hit_rates;
-  std::vector<double> rates = config.star ? config.hit_rates : std::vector<double>();
+  const bool has_others = config.variants.takes(without_early_outs);
+  std::vector<double> rates = has_others ? config.hit_rates : std::vector<double>();
   add_once(rates, 1.0);
   return rates;
 }
@@ -197,7 +199,7 @@ std::vector<KernelTests> tests_of(const Protocol& protocol, const KernelConfig& 
 /// are hits, elsewhere of those that compute everything anyway.
 template <class T>
 bool takes_part(const Kernel<T>& kernel, const KernelTests& tests, const KernelConfig& config) {
-  if (!config.star && kernel.change != "base") return false;
+  if (!config.variants.takes(kernel.change)) return false;
   if (tests.protocol->rays_a_visit % kernel.rays != 0) return false;
   return tests.protocol->name != "worst-case" || tests.parameter == 1 ||
          kernel.variant.early_out == EarlyOut::no;
@@ -263,14 +265,9 @@ KernelPlan make_plan(const KernelConfig& config) {
         add_cells<double>(plan, config, precision, tests);
     }
   }
-  if (!config.star) return plan;
-  for (const Inapplicable& one : inapplicable_subjects()) {
-    const bool of_precision = std::any_of(config.precisions.begin(), config.precisions.end(),
-                                          [&](Precision p) { return name_of(p) == one.precision; });
-    const bool of_method =
-        std::find(config.methods.begin(), config.methods.end(), one.method) != config.methods.end();
-    if (of_precision && of_method) plan.left_out.push_back(one);
-  }
+  std::vector<std::string_view> precisions;
+  for (const Precision precision : config.precisions) precisions.push_back(name_of(precision));
+  plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, precisions);
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include "experiments/intersection/accuracy.h"
 #include "experiments/intersection/subjects.h"
 #include "experiments/small_kernel_sweep.h"
+#include "experiments/variant_choice.h"
 
 namespace raysweep {
 
@@ -31,7 +32,7 @@ struct KernelConfig {
   std::vector<double> hit_rates;
   std::vector<Precision> precisions;
   std::vector<int> threads;
-  bool star = false;  // all kernels that differ from the base in one factor; else the base alone
+  VariantChoice variants;
   KernelMeasure measure;
   ClaimsConfig claims;
 };

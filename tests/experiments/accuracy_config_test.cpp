@@ -32,7 +32,7 @@ TEST(accuracy_config, asks_for_everything_in_base_variants_unless_told_otherwise
   EXPECT_EQ(config.methods.size(), study_method_names().size());
   EXPECT_EQ(config.cases.size(), all_cases().size());
   EXPECT_EQ(config.precisions.size(), 2u);
-  EXPECT_FALSE(config.star);
+  EXPECT_FALSE(config.variants.is_star);
   EXPECT_EQ(config.settings.ray_count, 10'000u);
   EXPECT_EQ(config.settings.experiment, "x");
   EXPECT_EQ(make_plan(config).threads, allowed_processors().size());
@@ -46,7 +46,7 @@ TEST(accuracy_config, takes_lists_single_names_and_all_each_once) {
   EXPECT_EQ(config.methods, (std::vector<std::string>{"wald", "plucker"}));
   EXPECT_EQ(config.cases, (std::vector<std::string>{"D1"}));
   EXPECT_EQ(config.precisions, (std::vector<Precision>{Precision::double_precision}));
-  EXPECT_TRUE(config.star);
+  EXPECT_TRUE(config.variants.is_star);
   EXPECT_EQ(config.settings.ray_count, 77u);
   EXPECT_EQ(config.settings.seed, 9u);
   EXPECT_EQ(make_plan(config).threads, 3u);
@@ -66,12 +66,12 @@ TEST(accuracy_config, each_bad_value_is_told_by_file_line_and_possible_values_al
             "published, quick");
   EXPECT_EQ(errors("kind = \"accuracy\"\n"),
             "a.toml:1: experiment must be a name, such as \"M11-T3\"; it names the folder of the run");
-  EXPECT_EQ(errors(head + "[sweep]\nprecision = [\"float\", \"half\"]\nvariant = \"full\"\nthreads = 2\n"
+  EXPECT_EQ(errors(head + "[sweep]\nprecision = [\"float\", \"half\"]\nvariant = []\nthreads = 2\n"
                           "method = []\n[measure]\ntrials = 0\nlaunches = 3\n"),
             "a.toml:6: unknown key \"sweep.threads\"; possible: method, precision, case, variant\n"
             "a.toml:7: method is an empty list; name one value at least\n"
             "a.toml:4: unknown precision \"half\"; built here: float, double, all\n"
-            "a.toml:5: unknown variant \"full\"; possible: base, star\n"
+            "a.toml:5: variant is an empty list; name one value at least\n"
             "a.toml:10: unknown key \"measure.launches\"; possible: trials, seed, threads\n"
             "a.toml:9: trials must be a whole number from 1 to 10000000");
   EXPECT_EQ(
@@ -100,6 +100,22 @@ TEST(accuracy_plan, has_every_cell_once_and_names_what_there_is_not) {
         names_late_angles || (one["method"] == "angle_sum" && one["change"] == "division=late" &&
                               one["reason"] == "a sum of angles cannot be scaled: the point must be known");
   EXPECT_TRUE(names_late_angles) << json["left_out"];
+}
+
+TEST(accuracy_plan, has_the_listed_variants_alone_and_names_who_lacks_one) {
+  const nlohmann::json json = to_json(make_plan(
+      parse(head +
+            "[sweep]\nmethod = [\"wald\", \"angle_sum\"]\ncase = \"D5\"\nprecision = \"float\"\nvariant = "
+            "[\"division=late\"]\n")));
+  ASSERT_EQ(json["cells"].size(), case_of("D5").difficulties.size());
+  for (const auto& key : json["cells"])
+    EXPECT_TRUE(key.get<std::string>().starts_with("wald/division=late/float/D5/")) << key;
+  ASSERT_EQ(json["left_out"].size(), 1u);
+  EXPECT_EQ(json["left_out"][0]["method"], "angle_sum");
+  const std::string unknown = errors(head + "[sweep]\nvariant = \"rays=8\"\n");
+  EXPECT_TRUE(
+      unknown.starts_with("a.toml:4: unknown variant \"rays=8\"; possible: base, star, division=late, "))
+      << unknown << ": packets find no more and no less than single rays";
 }
 
 TEST(accuracy_plan, of_base_variants_leaves_nothing_out) {

@@ -42,7 +42,8 @@ TEST(kernel_config, times_all_methods_on_random_tests_unless_told_otherwise) {
   EXPECT_EQ(config.protocols, (std::vector<std::string>{"random"}));
   EXPECT_EQ(config.precisions.size(), 2u);
   EXPECT_EQ(config.threads, (std::vector<int>{1}));
-  EXPECT_FALSE(config.star);
+  EXPECT_FALSE(config.variants.is_star);
+  EXPECT_EQ(config.variants.changes, (std::vector<std::string>{"base"}));
   EXPECT_EQ(config.experiment, "x");
   EXPECT_EQ(config.title, "x");
   EXPECT_EQ(config.measure.rounds, 9);
@@ -59,7 +60,7 @@ TEST(kernel_config, takes_lists_single_values_and_all_each_once) {
   EXPECT_EQ(config.protocols.size(), 7u);
   EXPECT_EQ(config.hit_rates, (std::vector<double>{0, 0.25, 1}));
   EXPECT_EQ(config.precisions, (std::vector<Precision>{Precision::double_precision}));
-  EXPECT_TRUE(config.star);
+  EXPECT_TRUE(config.variants.is_star);
   EXPECT_EQ(config.scenes, (std::vector<std::string>{"grotto", "chair-ball"}));
   EXPECT_EQ(config.threads, (std::vector<int>{1, 2, processors}));
   EXPECT_EQ(config.measure.rounds, 3);
@@ -84,7 +85,7 @@ TEST(kernel_config, each_bad_value_is_told_by_file_line_and_possible_values_all_
             "a.toml:1: experiment must be a name, such as \"M11-T3\"; it names the folder of the run");
   EXPECT_EQ(
       errors(head + "[sweep]\nkernel = \"expressions\"\nprotocol = \"rnadom\"\nhit_rate = [0.5, 0.33, "
-                    "\"all\"]\nthreads = [0, \"many\"]\nvariants = \"full\"\nmethod = []\nvariant = 1\n"),
+                    "\"all\"]\nthreads = [0, \"many\"]\nvariants = []\nmethod = []\nvariant = 1\n"),
       "a.toml:4: unknown kernel \"expressions\"; built here: intersection, expression_templates, "
       "virtual_calls, branches, dot_products\n"
       "a.toml:10: unknown key \"sweep.variant\"; possible: kernel, method, protocol, hit_rate, precision, "
@@ -92,7 +93,7 @@ TEST(kernel_config, each_bad_value_is_told_by_file_line_and_possible_values_all_
       "a.toml:9: method is an empty list; name one value at least\n"
       "a.toml:5: unknown protocol \"rnadom\"; built here: random, hit-rate, worst-case, packet-common, "
       "packet-general, replay, clusters, all\n"
-      "a.toml:8: unknown variants \"full\"; possible: base, star\n"
+      "a.toml:8: variants is an empty list; name one value at least\n"
       "a.toml:6: hit_rate must be numbers from 0 to 1 in steps of 0.0125\n"
       "a.toml:6: hit_rate must be numbers from 0 to 1 in steps of 0.0125\n"
       "a.toml:7: threads must be whole numbers from 1 to 1024, or \"all\"\n"
@@ -172,6 +173,33 @@ TEST(kernel_plan, of_the_worst_case_has_no_test_that_ends_early) {
   const KernelPlan base =
       plan_of("method = \"wald\"\nprotocol = \"worst-case\"\nhit_rate = [0, 0.5]\nprecision = \"float\"\n");
   EXPECT_EQ(keys_of(base), (std::set<std::string>{"wald/base/float/worst-case/1"}));
+}
+
+TEST(kernel_config, takes_variants_by_what_they_change_each_once) {
+  const auto changes = [](const std::string& value) {
+    return parse(head + "[sweep]\nvariants = " + value + "\n").variants.changes;
+  };
+  EXPECT_EQ(changes("[\"base\", \"division=late\", \"base\"]"),
+            (std::vector<std::string>{"base", "division=late"}));
+  EXPECT_EQ(changes("\"data=bare\""), (std::vector<std::string>{"data=bare"}));
+  const std::string unknown = errors(head + "[sweep]\nvariants = [\"base\",\n\"division=soon\", 3]\n");
+  EXPECT_TRUE(unknown.starts_with(
+      "a.toml:5: unknown variants \"division=soon\"; possible: base, star, division=late, "))
+      << unknown;
+  EXPECT_TRUE(unknown.ends_with("\na.toml:5: variants must be strings in quotes")) << unknown;
+  EXPECT_EQ(errors(head + "[sweep]\nvariants = [\"base\", \"star\"]\n"),
+            "a.toml:4: variants: \"star\" stands alone: it has all others");
+}
+
+TEST(kernel_plan, has_the_listed_variants_alone_and_names_who_lacks_one) {
+  const KernelPlan plan = plan_of(
+      "method = [\"wald\", \"angle_sum\"]\nprecision = \"float\"\nvariants = [\"base\", "
+      "\"division=late\"]\n");
+  EXPECT_EQ(keys_of(plan), (std::set<std::string>{"wald/base/float/random", "wald/division=late/float/random",
+                                                  "angle_sum/base/float/random"}));
+  ASSERT_EQ(plan.left_out.size(), 1u);
+  EXPECT_EQ(plan.left_out[0].method, "angle_sum");
+  EXPECT_EQ(plan.left_out[0].change, "division=late");
 }
 
 TEST(kernel_plan, packets_of_rays_take_part_only_where_there_are_packets) {
