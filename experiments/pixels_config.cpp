@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "experiments/config_toml.h"
 #include "experiments/read_claims.h"
 #include "experiments/toml_reader.h"
+#include "tracer/sample/pattern.h"
 #include "tracer/scene/scenes.h"
 
 namespace raysweep {
@@ -43,7 +45,8 @@ class PixelsParser : public TomlReader {
   };
 
   void read_sweep(const toml::table& sweep) {
-    check_keys(sweep, "sweep.", {"scene", "offset", "mode", "core", "method", "precision"});
+    check_keys(sweep, "sweep.",
+               {"scene", "offset", "mode", "core", "method", "precision", "pattern", "subpixels"});
     const std::vector<NamedScene> scenes = read_scenes(sweep);
     // Coordinates beyond would not hold anything of a scene a few units large, even in double.
     const std::vector<double> offsets = numbers_or(sweep, "offset", 0, -1e9, 1e9);
@@ -99,13 +102,17 @@ class PixelsParser : public TomlReader {
     std::vector<PixelsSubject> subjects;
     const auto chosen_methods = names_or_all(sweep, "method", names_of(methods()));
     const auto chosen_precisions = names_or_all(sweep, "precision", names_of(precisions()));
+    const auto samplings = read_samplings(sweep);
     for (const std::string& core : names_or_all(sweep, "core", names_of(cores()))) {
       for (const std::string& precision : chosen_precisions) {
         if (core == "wide" && precision != "float") {
           config_.left_out.push_back("core wide in " + precision + ": it has floats alone");
           continue;
         }
-        for (const std::string& method : chosen_methods) subjects.push_back({core, method, precision});
+        for (const std::string& method : chosen_methods) {
+          for (const auto& [pattern, samples] : samplings)
+            subjects.push_back({core, method, precision, pattern, samples});
+        }
       }
     }
     if (subjects.empty() && errors().empty())
@@ -113,16 +120,67 @@ class PixelsParser : public TomlReader {
     return subjects;
   }
 
+  struct Sampling {
+    std::string pattern;
+    int subpixels;
+  };
+
+  /// What is not swept is empty or 0.
+  std::vector<Sampling> read_samplings(const toml::table& sweep) {
+    sweeps_samples_ = sweep.contains("pattern") || sweep.contains("subpixels");
+    const std::vector<std::string> patterns = read_patterns(sweep);
+    const std::vector<double> counts = whole_numbers(sweep, "subpixels");
+    std::vector<Sampling> samplings;
+    for (const std::string& pattern : patterns) {
+      for (const double count : counts) samplings.push_back({pattern, static_cast<int>(count)});
+    }
+    return samplings;
+  }
+
+  std::vector<std::string> read_patterns(const toml::table& sweep) {
+    const toml::node* const node = sweep.get("pattern");
+    if (!node) return {""};
+    std::vector<std::string> patterns;
+    const auto add = [&](const toml::node& one) {
+      const std::string name = one.value_exact<std::string>().value_or("");
+      const std::string problem = pattern_problem(name);
+      if (!problem.empty())
+        fail(one, problem);
+      else if (std::ranges::find(patterns, name) == patterns.end())
+        patterns.push_back(name);
+    };
+    const toml::array* const list = node->as_array();
+    if (list && list->empty()) fail(*node, "pattern is an empty list; name one value at least");
+    if (list) {
+      for (const toml::node& one : *list) add(one);
+    } else {
+      add(*node);
+    }
+    return patterns;
+  }
+
+  std::vector<double> whole_numbers(const toml::table& table, std::string_view key) {
+    if (!table.contains(key)) return {0};
+    std::vector<double> numbers = numbers_or(table, key, 1, subpixels_range.low, subpixels_range.high);
+    for (const double number : numbers) {
+      if (number != std::floor(number)) fail(*table.get(key), fmt::format("{} must be whole numbers", key));
+    }
+    return numbers;
+  }
+
   void read_measure(const toml::table& measure) {
-    check_keys(measure, "measure.", {"scale", "rounds", "seconds", "seed"});
+    check_keys(measure, "measure.", {"scale", "rounds", "seconds", "seed", "reference_subpixels"});
     PixelsSettings& s = config_.settings;
     s.scale = number_or(measure, "scale", s.scale, 0.01, 10);
     s.rounds = integer_or(measure, "rounds", s.rounds, 1, 10'000);
     s.seconds = number_or(measure, "seconds", s.seconds, 0, 3600);
     s.seed = static_cast<uint64_t>(integer_or(measure, "seed", 1, 0, 1 << 30));
+    s.reference_subpixels = integer_or(measure, "reference_subpixels", sweeps_samples_ ? 1024 : 0,
+                                       subpixels_range.low, subpixels_range.high);
   }
 
   PixelsConfig& config_;
+  bool sweeps_samples_ = false;
 };
 
 }  // namespace
@@ -139,7 +197,11 @@ std::string group_key(const PixelsGroup& group) {
 }
 
 std::string cell_key(const PixelsGroup& group, const PixelsSubject& subject) {
-  return fmt::format("{}/{}/{}/{}", group_key(group), subject.core, subject.method, subject.precision);
+  std::string key =
+      fmt::format("{}/{}/{}/{}", group_key(group), subject.core, subject.method, subject.precision);
+  if (!subject.pattern.empty()) key += '/' + subject.pattern;
+  if (subject.subpixels > 0) key += fmt::format("/{}", subject.subpixels);
+  return key;
 }
 
 bool is_pixels(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
@@ -168,6 +230,7 @@ nlohmann::json to_json(const PixelsConfig& config) {
                       {"scale", config.settings.scale},
                       {"rounds", config.settings.rounds},
                       {"seconds", config.settings.seconds},
+                      {"reference_subpixels", config.settings.reference_subpixels},
                       {"cells", nlohmann::json::array()},
                       {"left_out", config.left_out}};
   for (const PixelsGroup& group : config.groups) {

@@ -4,6 +4,7 @@
 
 #include "experiments/clock.h"
 #include "experiments/peers/picture_maker.h"
+#include "experiments/picture_edges.h"
 #include "tracer/compare.h"
 
 namespace raysweep {
@@ -52,6 +53,9 @@ void tell_errors(PixelsRecord& record, const PixelsMaker& maker, const PixelsMak
   record.flip_max = map.max();
   record.max_difference = difference.max_8bit;
   record.rmse = difference.rmse;
+  const EdgeError at_edges = error_at_edges(film, reference.film());
+  record.edge_pixels = at_edges.pixels;
+  record.edge_rmse = at_edges.rmse;
   record.rays = maker.ray_count();
 }
 

@@ -31,7 +31,8 @@ class PixelsMaker {
   uint64_t ray_count_ = 0;
 };
 
-/// Sets what `record` says of the picture: its size, its rays, and how far it is from the reference.
+/// Sets what `record` says of the picture: its size, its rays, and how far it is from the reference,
+/// everywhere and at edges.
 void tell_errors(PixelsRecord& record, const PixelsMaker& maker, const PixelsMaker& reference,
                  const FlipMap& map);
 

@@ -10,14 +10,20 @@ namespace raysweep {
 
 // NaN is written as null, and read back as what it was.
 void to_json(nlohmann::json& json, const ErrorRecord& e) {
-  json = {{"count", e.count}, {"p50", e.p50}, {"p99", e.p99}, {"p999", e.p999}, {"max", e.max}};
+  json = {{"count", e.count}, {"p50", e.p50}, {"p99", e.p99},
+          {"p999", e.p999},   {"max", e.max}, {"mean", e.mean}};
 }
 void from_json(const nlohmann::json& json, ErrorRecord& e) {
   const auto number = [&](const char* name) {
     const auto& value = json.at(name);
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
   };
-  e = {json.at("count").get<uint64_t>(), number("p50"), number("p99"), number("p999"), number("max")};
+  e = {json.at("count").get<uint64_t>(),
+       number("p50"),
+       number("p99"),
+       number("p999"),
+       number("max"),
+       number("mean")};
 }
 
 namespace {
@@ -36,7 +42,9 @@ void for_each_accuracy_field(Each&& each) {
   each("hits", &R::hits), each("boundary", &R::boundary), each("false_hits", &R::false_hits);
   each("false_misses", &R::false_misses), each("nonfinite", &R::nonfinite);
   each("missed_rays", &R::missed_rays), each("extra", &R::extra), each("uncovered", &R::uncovered);
-  each("t_error", &R::t_error), each("uv_error", &R::uv_error), each("consistency", &R::consistency);
+  each("other_nearest", &R::other_nearest);
+  each("t_error", &R::t_error), each("uv_error", &R::uv_error), each("weight_error", &R::weight_error),
+      each("consistency", &R::consistency);
   each("off_plane", &R::off_plane);
 }
 

@@ -12,8 +12,9 @@
 
 namespace raysweep {
 
-/// 2 adds launch, round, valid and reason, which records of every kind have.
-inline constexpr int accuracy_schema = 2;
+/// 2 adds launch, round, valid and reason, which records of every kind have; 3 other_nearest, weight_error
+/// and the means of errors.
+inline constexpr int accuracy_schema = 3;
 
 /// The factors of a variant, by the names that the study has for their values.
 struct VariantRecord {
@@ -21,10 +22,10 @@ struct VariantRecord {
   friend bool operator==(const VariantRecord&, const VariantRecord&) = default;
 };
 
-/// Quantiles of errors. Without errors, `count` is 0 and the others are NaN, in JSON null.
+/// Quantiles of errors, and their mean. Without errors, `count` is 0 and the others are NaN, in JSON null.
 struct ErrorRecord {
   uint64_t count = 0;
-  double p50, p99, p999, max;
+  double p50, p99, p999, max, mean;
 };
 
 /// Counts are of trials, a ray with one triangle each, or of rays, where they say so. By the oracle a trial
@@ -51,10 +52,14 @@ struct AccuracyRecord {
   // Of mesh rays: no hit where the oracle has one or a boundary; more than the oracle's hits and boundaries;
   // neither hit nor boundary by the oracle.
   uint64_t missed_rays = 0, extra = 0, uncovered = 0;
-  ErrorRecord t_error;      // |t − t*| / (ε·|t*|), ε from 1 to the next number
-  ErrorRecord uv_error;     // max(|β − β*|, |γ − γ*|)
-  ErrorRecord consistency;  // between O + tD and P(β, γ), in ε of the largest coordinate
-  ErrorRecord off_plane;    // of O + tD from the plane, likewise
+  // Mesh rays whose nearest hit is another triangle than the oracle's, or one hits and the other does not.
+  // Not where a boundary or two hits at one t leave the choice open, nor of variants that give no t.
+  uint64_t other_nearest = 0;
+  ErrorRecord t_error;       // |t − t*| / (ε·|t*|), ε from 1 to the next number
+  ErrorRecord uv_error;      // max(|β − β*|, |γ − γ*|)
+  ErrorRecord weight_error;  // |β − β*| / (ε·|β*|), and the same of γ: two of a hit
+  ErrorRecord consistency;   // between O + tD and P(β, γ), in ε of the largest coordinate
+  ErrorRecord off_plane;     // of O + tD from the plane, likewise
 };
 
 /// In files "case" and "difficulty_of" hold `case_id` and what the difficulty is.

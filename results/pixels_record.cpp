@@ -17,11 +17,14 @@ void for_each_pixels_field(Each&& each) {
   each("cell", &R::cell), each("launch", &R::launch), each("round", &R::round), each("seed", &R::seed);
   each("valid", &R::valid), each("reason", &R::reason), each("scene", &R::scene), each("offset", &R::offset);
   each("mode", &R::mode), each("width", &R::width), each("height", &R::height), each("core", &R::core);
-  each("method", &R::method), each("precision", &R::precision), each("pixels", &R::pixels);
+  each("method", &R::method), each("precision", &R::precision), each("pattern", &R::pattern);
+  each("subpixels", &R::subpixels), each("reference_subpixels", &R::reference_subpixels);
+  each("pixels", &R::pixels);
   each("wrong_pixels", &R::wrong_pixels), each("hole_pixels", &R::hole_pixels);
   each("nonfinite_pixels", &R::nonfinite_pixels), each("flip_mean", &R::flip_mean);
   each("flip_p95", &R::flip_p95), each("flip_max", &R::flip_max);
-  each("max_difference", &R::max_difference), each("rmse", &R::rmse), each("rays", &R::rays);
+  each("max_difference", &R::max_difference), each("rmse", &R::rmse), each("edge_pixels", &R::edge_pixels),
+      each("edge_rmse", &R::edge_rmse), each("rays", &R::rays);
   each("seconds", &R::seconds);
 }
 

@@ -1,4 +1,4 @@
-// How far one way to intersect triangles is from a reference in one picture, and what it took in one round:
+// How far one way to make a picture is from a reference, and what it took in one round:
 // one line of records.jsonl of an experiment of the kind "pixels".
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace raysweep {
 
-inline constexpr int pixels_schema = 1;
+/// 2 adds how the picture and its reference are sampled, and edges.
+inline constexpr int pixels_schema = 2;
 
 /// Errors are those of one picture, the same in all rounds; times are this round's.
 struct PixelsRecord {
@@ -25,6 +26,8 @@ struct PixelsRecord {
   std::string mode;
   int width = 0, height = 0;  // pixels
   std::string core, method, precision;
+  std::string pattern;                         // where in a pixel its samples lie
+  int subpixels = 0, reference_subpixels = 0;  // samples a pixel, and those of the reference
   uint64_t pixels = 0;
   uint64_t wrong_pixels = 0;      // more than 1 of 255 off in a channel
   uint64_t hole_pixels = 0;       // whose centre sees nothing where the reference sees something
@@ -32,6 +35,8 @@ struct PixelsRecord {
   double flip_mean = 0, flip_p95 = 0, flip_max = 0;  // over the pixels' FLIP, 0 to 1
   int max_difference = 0;                            // of a channel, of 255
   double rmse = 0;              // of linear channels; NaN, in JSON null, of no finite pixel
+  uint64_t edge_pixels = 0;     // at edges of the reference: see experiments/picture_edges.h
+  double edge_rmse = 0;         // over them
   uint64_t rays = 0;            // of one frame, of all kinds
   std::vector<double> seconds;  // of each timed frame, on one thread
 };

@@ -19,7 +19,7 @@ VariantRecord variant_record(const Variant& variant) {
 
 ErrorRecord error_record(const std::vector<double>& errors) {
   const ErrorSummary s = Tally::summary(errors);
-  return {s.count, s.p50, s.p99, s.p999, s.greatest};
+  return {s.count, s.p50, s.p99, s.p999, s.greatest, s.mean};
 }
 
 void take_tally(AccuracyRecord& record, const Tally& tally) {
@@ -34,8 +34,10 @@ void take_tally(AccuracyRecord& record, const Tally& tally) {
   record.missed_rays = tally.missed_rays;
   record.extra = tally.extra_rays;
   record.uncovered = tally.uncovered_rays;
+  record.other_nearest = tally.other_nearest;
   record.t_error = error_record(tally.t_error);
   record.uv_error = error_record(tally.uv_error);
+  record.weight_error = error_record(tally.weight_error);
   record.consistency = error_record(tally.difference);
   record.off_plane = error_record(tally.off_plane);
 }

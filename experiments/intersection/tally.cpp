@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace raysweep {
 
@@ -51,7 +52,10 @@ void Tally::measure(const JudgedHit<T>& judged, Output output) {
   const long double place = std::max(max_abs(along), static_cast<long double>(corners));
   if (place > 0) off_plane.push_back(as_double(of_t * exact.rise / (epsilon * place)));
   if (!has_weights) return;
-  uv_error.push_back(as_double(std::max(std::abs(hit.beta - exact.beta), std::abs(hit.gamma - exact.gamma))));
+  const long double of_beta = std::abs(hit.beta - exact.beta), of_gamma = std::abs(hit.gamma - exact.gamma);
+  uv_error.push_back(as_double(std::max(of_beta, of_gamma)));
+  if (exact.beta != 0) weight_error.push_back(as_double(of_beta / (epsilon * std::abs(exact.beta))));
+  if (exact.gamma != 0) weight_error.push_back(as_double(of_gamma / (epsilon * std::abs(exact.gamma))));
   const long double of_difference = max_abs(along - point_of(triangle, hit));
   difference.push_back(as_double(of_difference / (epsilon * std::max(corners, max_abs(ray.origin)))));
 }
@@ -67,10 +71,41 @@ void Tally::close_ray(size_t candidates, size_t found, size_t expected) {
 
 ErrorSummary Tally::summary(const std::vector<double>& errors) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (errors.empty()) return {0, nan, nan, nan, nan};
-  return {errors.size(), quantile(errors, 0.5), quantile(errors, 0.99), quantile(errors, 0.999),
-          quantile(errors, 1)};
+  if (errors.empty()) return {0, nan, nan, nan, nan, nan};
+  // Errors may be as great as doubles get: their sum is not one.
+  const long double sum = std::accumulate(errors.begin(), errors.end(), 0.0L);
+  const double mean = as_double(sum / static_cast<long double>(errors.size()));
+  return {errors.size(),           quantile(errors, 0.5), quantile(errors, 0.99),
+          quantile(errors, 0.999), quantile(errors, 1),   mean};
 }
+
+template <class T>
+bool picks_other(const Trial<T>& trial, const Hits<T>& hits, const std::vector<ExactHit>& exact) {
+  const size_t end = trial.first + trial.count;
+  size_t nearest = end;
+  bool is_open = false, has_hit = false;
+  T least = std::numeric_limits<T>::infinity();
+  for (size_t i = trial.first; i < end; ++i) {
+    if (hits[i]) {
+      has_hit = true;
+      least = std::min(least, hits[i]->t);
+    }
+    if (exact[i].verdict == ExactVerdict::boundary) return false;
+    if (exact[i].verdict == ExactVerdict::miss) continue;
+    if (nearest == end || exact[i].t < exact[nearest].t) {
+      nearest = i;
+      is_open = false;
+    } else if (exact[i].t == exact[nearest].t) {
+      is_open = true;
+    }
+  }
+  if (is_open) return false;
+  if (nearest == end) return has_hit;
+  return !hits[nearest] || hits[nearest]->t > least;
+}
+
+template bool picks_other(const Trial<float>&, const Hits<float>&, const std::vector<ExactHit>&);
+template bool picks_other(const Trial<double>&, const Hits<double>&, const std::vector<ExactHit>&);
 
 template <class T>
 Tally tally_of(const JudgedTrials<T>& judged, const Hits<T>& hits, Output output) {
@@ -88,6 +123,8 @@ Tally tally_of(const JudgedTrials<T>& judged, const Hits<T>& hits, Output output
       tally.measure(JudgedHit<T>{trial.ray, triangle, *hits[i], exact[i]}, output);
     }
     tally.close_ray(trial.count, found, expected);
+    if (trial.count > 1 && output != Output::hit && !must_miss)
+      tally.other_nearest += picks_other(trial, hits, exact);
   }
   return tally;
 }

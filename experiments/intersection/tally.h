@@ -9,10 +9,10 @@
 
 namespace raysweep {
 
-/// Quantiles of errors; NaN without errors.
+/// Quantiles of errors, and their mean; NaN without errors.
 struct ErrorSummary {
   size_t count = 0;
-  double p50, p99, p999, greatest;
+  double p50, p99, p999, greatest, mean;
 };
 
 /// One hit, as the method and the oracle have it.
@@ -36,9 +36,11 @@ struct Tally {
   // Without any hit though the oracle has one or a boundary; with more hits than the oracle has hits and
   // boundaries.
   size_t missed_rays = 0, extra_rays = 0;
-  size_t uncovered_rays = 0;     // that meet no candidate by the oracle either
-  std::vector<double> t_error;   // |t − t*| / (ε·|t*|)
-  std::vector<double> uv_error;  // max(|β − β*|, |γ − γ*|)
+  size_t uncovered_rays = 0;         // that meet no candidate by the oracle either
+  size_t other_nearest = 0;          // whose nearest hit is not the oracle's: see `picks_other`
+  std::vector<double> t_error;       // |t − t*| / (ε·|t*|)
+  std::vector<double> uv_error;      // max(|β − β*|, |γ − γ*|)
+  std::vector<double> weight_error;  // |β − β*| / (ε·|β*|), then of γ
   std::vector<double> difference;  // ‖(O + tD) − P(β, γ)‖∞ / (ε·largest coordinate of O and the corners)
   std::vector<double>
       off_plane;  // distance of O + tD from the plane / (ε·largest coordinate of it and the corners)
@@ -54,6 +56,12 @@ struct Tally {
 
   [[nodiscard]] static ErrorSummary summary(const std::vector<double>& errors);
 };
+
+/// Whether the nearest of a ray's `hits` is none of the oracle's nearest, or one of both has no hit. False
+/// where the oracle leaves it open: at a boundary, and between hits at the same t.
+template <class T>
+[[nodiscard]] bool picks_other(const Trial<T>& trial, const Hits<T>& hits,
+                               const std::vector<ExactHit>& exact);
 
 /// What a method did that had `hits` on `judged` trials. Of its hits it gave what `output` says.
 template <class T>

@@ -45,7 +45,7 @@ std::string digits(double value) { return std::isnan(value) ? "" : fmt::format("
 
 void add_error(std::vector<std::string>& row, const ErrorRecord& e) {
   row.push_back(std::to_string(e.count));
-  for (const double value : {e.p50, e.p99, e.p999, e.max}) row.push_back(digits(value));
+  for (const double value : {e.p50, e.p99, e.p999, e.max, e.mean}) row.push_back(digits(value));
 }
 
 std::vector<std::string> data_row(const AccuracyRecord& r) {
@@ -53,10 +53,11 @@ std::vector<std::string> data_row(const AccuracyRecord& r) {
   std::vector<std::string> row{r.method, r.change,    v.division,  v.reciprocal,
                                v.order,  v.edges,     v.early_out, v.output,
                                v.data,   r.precision, r.case_id,   fmt::format("{}", r.difficulty)};
-  for (const uint64_t count : {r.rays, r.mesh_rays, r.trials, r.hits, r.boundary, r.false_hits,
-                               r.false_misses, r.nonfinite, r.missed_rays, r.extra, r.uncovered})
+  for (const uint64_t count :
+       {r.rays, r.mesh_rays, r.trials, r.hits, r.boundary, r.false_hits, r.false_misses, r.nonfinite,
+        r.missed_rays, r.extra, r.uncovered, r.other_nearest})
     row.push_back(std::to_string(count));
-  for (const ErrorRecord* error : {&r.t_error, &r.uv_error, &r.consistency, &r.off_plane})
+  for (const ErrorRecord* error : {&r.t_error, &r.uv_error, &r.weight_error, &r.consistency, &r.off_plane})
     add_error(row, *error);
   return row;
 }
@@ -80,13 +81,14 @@ std::vector<NamedTable> case_tables(const AccuracyResults& results) {
 
 Table accuracy_data(const AccuracyResults& results) {
   Table table;
-  for (const char* name : {"method",       "change",    "division",    "reciprocal", "order",    "edges",
-                           "early_out",    "output",    "data",        "precision",  "case",     "difficulty",
-                           "rays",         "mesh_rays", "trials",      "hits",       "boundary", "false_hits",
-                           "false_misses", "nonfinite", "missed_rays", "extra",      "uncovered"})
+  for (const char* name :
+       {"method",       "change",    "division",    "reciprocal", "order",     "edges",
+        "early_out",    "output",    "data",        "precision",  "case",      "difficulty",
+        "rays",         "mesh_rays", "trials",      "hits",       "boundary",  "false_hits",
+        "false_misses", "nonfinite", "missed_rays", "extra",      "uncovered", "other_nearest"})
     table.columns.push_back({name});
-  for (const char* error : {"t_error", "uv_error", "consistency", "off_plane"}) {
-    for (const char* part : {"count", "p50", "p99", "p999", "max"})
+  for (const char* error : {"t_error", "uv_error", "weight_error", "consistency", "off_plane"}) {
+    for (const char* part : {"count", "p50", "p99", "p999", "max", "mean"})
       table.columns.push_back({fmt::format("{}_{}", error, part)});
   }
   for (const AccuracyRecord& record : results.records()) table.rows.push_back(data_row(record));

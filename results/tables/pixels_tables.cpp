@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "results/tables/number_text.h"
 #include "results/tables/table_files.h"
 #include "results/tables/write_file.h"
@@ -24,7 +26,41 @@ std::string method_text(const PixelsRow& row) {
                               : fmt::format("{} ({} rounds void)", row.first.method, row.void_rounds);
 }
 
+bool is_of_sampling(const PixelsRecord& r) { return r.subpixels != r.reference_subpixels; }
+
 }  // namespace
+
+Table sampling_table(const std::vector<PixelsRow>& rows) {
+  Table table{
+      "pictures of few samples against one of many: the root of the mean square of what linear channels "
+      "differ by, "
+      "everywhere and at its edges, what is seen of that (FLIP, 0 to 1), and what a ray takes on one thread",
+      {{"scene", false},
+       {"mode", false},
+       {"core", false},
+       {"method", false},
+       {"precision", false},
+       {"pattern", false},
+       {"samples"},
+       {"of reference"},
+       {"RMSE"},
+       {"edge pixels"},
+       {"RMSE at edges"},
+       {"FLIP mean"},
+       {"FLIP p95"},
+       {"ns/ray"}},
+      {}};
+  for (const PixelsRow& row : rows) {
+    const PixelsRecord& r = row.first;
+    if (!is_of_sampling(r)) continue;
+    table.rows.push_back({scene_text(r), r.mode, r.core, method_text(row), r.precision, r.pattern,
+                          std::to_string(r.subpixels), std::to_string(r.reference_subpixels),
+                          flip_text(r.rmse), std::to_string(r.edge_pixels), flip_text(r.edge_rmse),
+                          flip_text(r.flip_mean), flip_text(r.flip_p95),
+                          with_interval(row.nanoseconds_per_ray)});
+  }
+  return table;
+}
 
 Table pixels_table(const std::vector<PixelsRow>& rows) {
   Table table{
@@ -47,6 +83,7 @@ Table pixels_table(const std::vector<PixelsRow>& rows) {
       {}};
   for (const PixelsRow& row : rows) {
     const PixelsRecord& r = row.first;
+    if (is_of_sampling(r)) continue;
     table.rows.push_back({scene_text(r), r.mode, r.core, method_text(row), r.precision,
                           std::to_string(r.pixels), std::to_string(r.wrong_pixels),
                           std::to_string(r.hole_pixels), std::to_string(r.nonfinite_pixels),
@@ -58,14 +95,33 @@ Table pixels_table(const std::vector<PixelsRow>& rows) {
 
 Table pixels_data(const std::vector<PixelsRow>& rows) {
   Table table;
-  for (const char* title : {"scene",          "offset",         "mode",
-                            "width",          "height",         "core",
-                            "method",         "precision",      "pixels",
-                            "wrong_pixels",   "hole_pixels",    "nonfinite_pixels",
-                            "flip_mean",      "flip_p95",       "flip_max",
-                            "max_difference", "rmse",           "rays",
-                            "ns_per_ray",     "ns_per_ray_low", "ns_per_ray_high",
-                            "void_rounds"})
+  for (const char* title : {"scene",
+                            "offset",
+                            "mode",
+                            "width",
+                            "height",
+                            "core",
+                            "method",
+                            "precision",
+                            "pixels",
+                            "wrong_pixels",
+                            "hole_pixels",
+                            "nonfinite_pixels",
+                            "flip_mean",
+                            "flip_p95",
+                            "flip_max",
+                            "max_difference",
+                            "rmse",
+                            "rays",
+                            "ns_per_ray",
+                            "ns_per_ray_low",
+                            "ns_per_ray_high",
+                            "void_rounds",
+                            "pattern",
+                            "subpixels",
+                            "reference_subpixels",
+                            "edge_pixels",
+                            "edge_rmse"})
     table.columns.push_back({title});
   const auto text = [](const auto& value) { return fmt::format("{}", value); };
   for (const PixelsRow& row : rows) {
@@ -92,21 +148,38 @@ Table pixels_data(const std::vector<PixelsRow>& rows) {
                           value,
                           low,
                           high,
-                          text(row.void_rounds)});
+                          text(row.void_rounds),
+                          r.pattern,
+                          text(r.subpixels),
+                          text(r.reference_subpixels),
+                          text(r.edge_pixels),
+                          text(r.edge_rmse)});
   }
   return table;
 }
 
+namespace {
+
+/// Those that have rows.
+std::vector<std::pair<std::string, Table>> named_tables(const std::vector<PixelsRow>& rows) {
+  std::vector<std::pair<std::string, Table>> tables{{"pixels", pixels_table(rows)},
+                                                    {"sampling", sampling_table(rows)}};
+  std::erase_if(tables, [](const auto& one) { return one.second.rows.empty(); });
+  return tables;
+}
+
+}  // namespace
+
 std::string pixels_tables_as_text(const PixelsData& data) {
-  std::string text =
-      fmt::format("{}: {}\n\n{}", data.experiment, data.title, to_text(pixels_table(data.rows)));
+  std::string text = fmt::format("{}: {}\n", data.experiment, data.title);
+  for (const auto& [name, table] : named_tables(data.rows)) text.append("\n").append(to_text(table));
   for (const std::string& one : data.left_out) text += fmt::format("left out: {}\n", one);
   return text;
 }
 
 std::vector<NamedTable> write_pixels_tables(const PixelsData& data, const std::filesystem::path& folder) {
   TableFolder files(folder);
-  files.write("pixels", pixels_table(data.rows));
+  for (const auto& [name, table] : named_tables(data.rows)) files.write(name, table);
   write_file(folder / "cells.csv", to_csv(pixels_data(data.rows)));
   return files.tables();
 }

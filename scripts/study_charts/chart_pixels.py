@@ -99,8 +99,8 @@ def _chart(name, title, text, unit, all_ways, looks, value, rail=False):
 
 
 def pixel_charts(records, looks):
-    """Wrong pixels, and FLIP. None without records."""
-    all_ways = ways([r for r in records if r["valid"]])
+    """Wrong pixels, and FLIP, of what has its reference's samples: rounding alone. None without records."""
+    all_ways = ways([r for r in records if r["valid"] and r["subpixels"] == r["reference_subpixels"]])
     if not all_ways:
         return []
     time = "Time: the median over rounds; bars: 95 % by order statistics. The reference is the watertight method in doubles."

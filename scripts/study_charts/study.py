@@ -11,6 +11,7 @@ from study_charts.chart_map import map_charts
 from study_charts.chart_mesh import mesh_chart
 from study_charts.chart_pixels import pixel_charts
 from study_charts.chart_price import price_chart
+from study_charts.chart_sampling import sampling_chart
 from study_charts.chart_speed import bar_chart, rate_chart
 from study_charts.inline import Inline
 from study_charts.kernels import Kernels
@@ -21,7 +22,7 @@ from study_charts.style import Looks, save, start
 NEEDED_BY = {
     "accuracy": "what fails, and where",
     "kernel": "time, the fronts of time against failures, and the price of each fix",
-    "pixels": "wrong pixels against ns a ray",
+    "pixels": "wrong pixels against ns a ray, and errors of few samples at edges",
     "atlas": "maps over two difficulties with the triangles of scenes",
 }
 
@@ -73,6 +74,7 @@ def charts_of(study):
         yield rate_chart(kernels, looks)
         yield bar_chart(kernels, accuracy, looks)
     yield from pixel_charts(study.pixels, looks)
+    yield sampling_chart(study.pixels)
 
 
 def write_study(runs, out):

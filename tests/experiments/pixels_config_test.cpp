@@ -48,6 +48,29 @@ TEST(pixels_config, every_cell_has_a_key_of_its_own_by_scene_offset_and_mode) {
   EXPECT_EQ(plan["rounds"], 3);
 }
 
+TEST(pixels_config, samples_are_swept_against_a_reference_of_many) {
+  const PixelsConfig config =
+      parse(head +
+            "[sweep]\ncore = \"wide\"\nmethod = \"morozov\"\nprecision = \"float\"\npattern = [\"circle\", "
+            "\"grid\", \"circle\"]\nsubpixels = [4, 9]\n");
+  EXPECT_EQ(
+      to_json(config)["cells"],
+      (nlohmann::json{"studio/low/wide/morozov/float/circle/4", "studio/low/wide/morozov/float/circle/9",
+                      "studio/low/wide/morozov/float/grid/4", "studio/low/wide/morozov/float/grid/9"}));
+  EXPECT_EQ(config.settings.reference_subpixels, 1024);
+  EXPECT_EQ(parse(head).settings.reference_subpixels, 0) << "rounding alone is judged at the mode's samples";
+  EXPECT_EQ(parse(head + "[measure]\nreference_subpixels = 64\n").settings.reference_subpixels, 64);
+}
+
+TEST(pixels_config, bad_samplings_are_told_by_line) {
+  EXPECT_EQ(errors(head + "[sweep]\npattern = []\nsubpixels = [0, 2.5]\n"),
+            "a.toml:4: pattern is an empty list; name one value at least\n"
+            "a.toml:5: subpixels must be numbers from 1 to 65536\n"
+            "a.toml:5: subpixels must be whole numbers");
+  const std::string problem = errors(head + "[sweep]\npattern = \"round\"\n");
+  EXPECT_TRUE(problem.starts_with("a.toml:4: unknown pattern \"round\"")) << problem;
+}
+
 TEST(pixels_config, overrides_change_it_and_its_text) {
   const PixelsConfig config = parse(head, {"method=morozov", "measure.rounds=5"});
   EXPECT_EQ(config.cell_count(), 5u);
@@ -62,13 +85,15 @@ TEST(pixels_config, each_bad_value_is_told_by_file_line_and_possible_values_all_
   EXPECT_EQ(
       errors(head + "[sweep]\nmethod = \"wald\"\ncore = \"narrow\"\noffset = [0, \"far\"]\nscene = 3\n"
                     "mode = \"easy\"\nthreads = 2\n[measure]\nrounds = 0\nlaunches = 3\n"),
-      "a.toml:9: unknown key \"sweep.threads\"; possible: scene, offset, mode, core, method, precision\n"
+      "a.toml:9: unknown key \"sweep.threads\"; possible: scene, offset, mode, core, method, precision, "
+      "pattern, subpixels\n"
       "a.toml:7: scene must be strings in quotes\n"
       "a.toml:6: offset must be numbers from -1000000000 to 1000000000\n"
       "a.toml:8: unknown mode \"easy\"; built here: low, middle, hard, very_hard, all\n"
       "a.toml:4: unknown method \"wald\"; built here: moller_trumbore, morozov, woop_watertight, all\n"
       "a.toml:5: unknown core \"narrow\"; built here: scalar, wide, m11, all\n"
-      "a.toml:12: unknown key \"measure.launches\"; possible: scale, rounds, seconds, seed\n"
+      "a.toml:12: unknown key \"measure.launches\"; possible: scale, rounds, seconds, seed, "
+      "reference_subpixels\n"
       "a.toml:11: rounds must be a whole number from 1 to 10000");
   EXPECT_EQ(errors(head + "[sweep]\noffset = []\n"),
             "a.toml:4: offset is an empty list; name one value at least");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -62,6 +63,29 @@ TEST_F(PixelsRun, leaves_records_tables_and_pictures_of_what_is_wrong) {
     EXPECT_NE(read_file(folder.file("a/" + std::string(file))), "") << file;
   EXPECT_FALSE(
       std::filesystem::exists(folder.file("a/pictures/studio-low-scalar-woop_watertight-double-wrong.png")));
+}
+
+TEST_F(PixelsRun, of_few_samples_is_judged_by_a_reference_of_many) {
+  const std::string config =
+      "experiment = \"aa\"\nkind = \"pixels\"\n[sweep]\nscene = \"chair-ball\"\ncore = \"wide\"\nprecision = "
+      "\"float\"\nmethod = \"moller_trumbore\"\npattern = [\"sobol\", \"grid\"]\nsubpixels = [1, 4, 64]\n"
+      "[measure]\nscale = 0.125\nrounds = 1\nseconds = 0\nreference_subpixels = 64\n";
+  const ProgramResult result =
+      run_program({"run", folder.write("aa.toml", config), "--out", folder.file("a")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::pair<std::string, int>, double> at_edges;
+  for (const auto& r : records("a")) {
+    EXPECT_EQ(r["reference_subpixels"], 64);
+    EXPECT_GT(r["edge_pixels"], 0);
+    at_edges[{r["pattern"], r["subpixels"]}] = r["edge_rmse"];
+  }
+  ASSERT_EQ(at_edges.size(), 6u);
+  EXPECT_EQ((at_edges[{"sobol", 1}]), (at_edges[{"grid", 1}])) << "both are the pixel's centre";
+  EXPECT_GT((at_edges[{"sobol", 1}]), 2 * (at_edges[{"sobol", 4}]));
+  EXPECT_GT((at_edges[{"sobol", 4}]), 10 * (at_edges[{"sobol", 64}])) << "the reference's own samples";
+  for (const char* file : {"pictures/chair-ball-low-wide-moller_trumbore-float-grid-4-picture.png",
+                           "tables/sampling.md", "tables/sampling.csv", "tables/pixels.md"})
+    EXPECT_NE(read_file(folder.file("a/" + std::string(file))), "") << file;
 }
 
 TEST_F(PixelsRun, is_taken_up_where_it_ended_and_reported_from_its_records) {

@@ -10,7 +10,7 @@ namespace raysweep {
 
 inline ErrorRecord no_errors() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {0, nan, nan, nan, nan};
+  return {0, nan, nan, nan, nan, nan};
 }
 
 /// A cell of 1000 rays with one triangle each, 400 of them hits, without a failure. At level 0 the difficulty
@@ -29,8 +29,9 @@ inline AccuracyRecord made_up(const std::string& method, const std::string& case
   r.difficulty = level == 0 ? 1 : level == 1 ? 0.1 : 0.01;
   r.rays = r.trials = 1000;
   r.hits = 400;
-  r.t_error = {400, 0.5, 2, 3, 4};
-  r.uv_error = {400, 1e-7, 2e-7, 3e-7, 4e-7};
+  r.t_error = {400, 0.5, 2, 3, 4, 0.75};
+  r.uv_error = {400, 1e-7, 2e-7, 3e-7, 4e-7, 1.5e-7};
+  r.weight_error = {800, 5, 20, 30, 40, 8};
   r.consistency = r.off_plane = no_errors();
   r.cell = method + '/' + change + '/' + r.precision + '/' + case_id + '/' + std::to_string(level);
   return r;

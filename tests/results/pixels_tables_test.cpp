@@ -23,6 +23,8 @@ PixelsRecord made_up(const std::string& cell, int round, std::vector<double> sec
   r.width = r.height = 10;
   r.core = "scalar";
   r.precision = "float";
+  r.pattern = "grid";
+  r.subpixels = r.reference_subpixels = 1;
   r.pixels = 100;
   r.rays = 1000;
   r.seconds = std::move(seconds);
@@ -34,10 +36,14 @@ TEST(pixels_record, comes_back_as_it_was_written) {
   r.launch = 7, r.seed = 9, r.valid = false, r.reason = "why", r.offset = 1e5, r.wrong_pixels = 4;
   r.hole_pixels = 2, r.nonfinite_pixels = 1, r.flip_mean = 0.1, r.flip_p95 = 0.2, r.flip_max = 0.3;
   r.max_difference = 255, r.rmse = std::numeric_limits<double>::quiet_NaN();
+  r.pattern = "circle", r.subpixels = 4, r.reference_subpixels = 1024, r.edge_pixels = 5, r.edge_rmse = 0.25;
   const PixelsRecord back = pixels_record_from_json(nlohmann::json::parse(to_line(r)));
   EXPECT_EQ(to_line(back), to_line(r));
   EXPECT_EQ(back.wrong_pixels, 4u);
   EXPECT_EQ(back.seconds, r.seconds);
+  EXPECT_EQ(back.pattern, "circle");
+  EXPECT_EQ(back.reference_subpixels, 1024);
+  EXPECT_EQ(back.edge_rmse, 0.25);
   EXPECT_TRUE(std::isnan(back.rmse));
 }
 
@@ -53,7 +59,7 @@ TEST(pixels_record, of_another_kind_or_schema_is_refused) {
     return std::string();
   };
   EXPECT_EQ(problem("kind", "accuracy"), "kind \"accuracy\" where \"pixels\" was expected");
-  EXPECT_EQ(problem("schema", 2), "schema 2 is unknown here; this version reads 1");
+  EXPECT_EQ(problem("schema", 1), "schema 1 is unknown here; this version reads 2");
 }
 
 /// Rounds of 1, 2, … 7 µs a ray by their median frame: the median is 4, and by order statistics of 7 the
@@ -88,6 +94,26 @@ TEST(pixels_tables, have_the_plans_order_and_no_cell_without_records) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].first.cell, "b");
   EXPECT_EQ(rows[1].first.cell, "a");
+}
+
+TEST(pixels_tables, tell_of_few_samples_how_far_they_are_from_many_and_of_rounding_apart) {
+  PixelsRecord few = made_up("few", 0, {1e-3});
+  few.pattern = "circle", few.subpixels = 4, few.reference_subpixels = 1024;
+  few.rmse = 0.02, few.edge_pixels = 7, few.edge_rmse = 0.125, few.flip_mean = 0.01, few.flip_p95 = 0.5;
+  const auto rows = pixels_rows({few, made_up("rounded", 0, {1e-3})}, {"few", "rounded"});
+  ASSERT_EQ(sampling_table(rows).rows.size(), 1u);
+  EXPECT_EQ(sampling_table(rows).rows[0],
+            (std::vector<std::string>{"studio", "low", "scalar", "few", "float", "circle", "4", "1024",
+                                      "0.02", "7", "0.125", "0.01", "0.5", "1000"}));
+  ASSERT_EQ(pixels_table(rows).rows.size(), 1u);
+  EXPECT_EQ(pixels_table(rows).rows[0][3], "rounded");
+  EXPECT_EQ(pixels_data(rows).rows.size(), 2u);
+  const auto text = [](std::vector<PixelsRow> of) {
+    return pixels_tables_as_text({"x", "t", {}, std::move(of)});
+  };
+  EXPECT_NE(text({rows[0]}).find("RMSE at edges"), std::string::npos);
+  EXPECT_EQ(text({rows[0]}).find("wrong"), std::string::npos) << "a table without rows";
+  EXPECT_EQ(text({rows[1]}).find("RMSE at edges"), std::string::npos);
 }
 
 TEST(pixels_tables, tell_errors_beside_times) {

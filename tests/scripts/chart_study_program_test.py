@@ -27,7 +27,7 @@ class Program(unittest.TestCase):
     def write_all(self):
         records = {
             "accuracy": made.accuracy_records(self.METHODS), "kernel": made.kernel_records(self.METHODS),
-            "pixels": made.pixel_records(self.METHODS), "atlas": made.atlas_records(self.METHODS),
+            "pixels": [*made.pixel_records(self.METHODS), *made.sampling_records()], "atlas": made.atlas_records(self.METHODS),
         }  # fmt: skip
         return [made.write_run(self.folder / kind, found) for kind, found in records.items()]
 
@@ -40,7 +40,7 @@ class Program(unittest.TestCase):
         for file in files:
             self.assertEqual((self.folder / "one" / file).read_bytes(), (self.folder / "two" / file).read_bytes(), file)
         names = {f.stem for f in files}
-        self.assertLessEqual({"report", "cost-error", "cost-misses", "mesh", "failures-false-misses", "price", "speed-bars", "speed-hit-rate", "pixels-wrong", "pixels-flip", "map-size-offset", "difficulty-error-float"}, names)  # fmt: skip
+        self.assertLessEqual({"report", "cost-error", "cost-misses", "mesh", "failures-false-misses", "price", "speed-bars", "speed-hit-rate", "pixels-wrong", "pixels-flip", "sampling-edges", "map-size-offset", "difficulty-error-float"}, names)  # fmt: skip
         page = (self.folder / "one/report.html").read_text(encoding="utf-8")
         self.assertNotRegex(page, r'(src|href)="(?!data:|#)')
         self.assertLess(len(page.encode()), 3_000_000)

@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(SCRIPTS), str(HERE)]
 
 import made_records as made  # noqa: E402
-from study_charts import answers, chart_difficulty, chart_map, chart_price, chart_speed, numbers, runs  # noqa: E402
+from study_charts import answers, chart_difficulty, chart_map, chart_pixels, chart_price, chart_sampling, chart_speed, numbers, runs  # noqa: E402
 from study_charts.accuracy import NO_HIT, Accuracy, false_misses, t_error  # noqa: E402
 from study_charts.chart_cost import error_point, front_of, points_of  # noqa: E402
 from study_charts.colours import DARK  # noqa: E402
@@ -74,7 +74,7 @@ class Records(unittest.TestCase):
             ("nonsense\n", ":1: is no record"),
             ('{"schema":1}\n', ":1: is no record"),
             ('{"kind":"atlas","schema":2}\n', ":1: atlas of schema 2; these charts read schema 1"),
-            ('{"kind":"accuracy","schema":1}\n', ":1: accuracy of schema 1; these charts read schema 2"),
+            ('{"kind":"accuracy","schema":1}\n', ":1: accuracy of schema 1; these charts read schema 3"),
             ('{"kind":"kernel","schema":3}\n', ":1: kernel of schema 3; these charts read schema 1 and 2"),
             ('{"kind":"kernel","schema":2,"kernel":"branches"}\n', ':1: kernel "branches"; these charts are of intersection'),
             ('{"kind":"soup","schema":1}\n', 'unknown kind "soup"; these charts read: accuracy'),
@@ -161,6 +161,34 @@ class KernelTest(unittest.TestCase):
         for records in (pair, other):
             prices = chart_price.factor_prices(Kernels(records), Workload("random"), fix)
             self.assertEqual([round(p.percent.value, 6) for p in prices], [20.0])
+
+    def test_errors_of_sampling_are_told_apart_from_those_of_rounding(self):
+        sampled, rounded = list(made.sampling_records()), list(made.pixel_records())
+        errors = chart_sampling.edge_errors(sampled + rounded)
+        self.assertEqual(sorted(errors), [("chair", "circle"), ("chair", "grid"), ("ice", "circle"), ("ice", "grid")])
+        self.assertAlmostEqual(errors["ice", "circle"][4], 0.05)
+        self.assertEqual(chart_sampling.wins(errors, "circle", "grid"), (8, 8))
+        self.assertEqual(chart_sampling.wins(errors, "grid", "circle"), (0, 8))
+        self.assertIsNone(chart_sampling.sampling_chart(rounded))
+        self.assertEqual(chart_pixels.pixel_charts(sampled, Looks(made.METHODS)), [])
+
+    def test_the_worst_case_is_of_kernels_without_early_outs_where_there_are_any(self):
+        at_all_hits = [made.kernel_record(protocol="worst-case", parameter=1.0, seconds=made.seconds_of(9))]
+        without = made.VARIANT | {"early_out": "no"}
+        slower = made.kernel_record(protocol="worst-case", parameter=0.5, change="early_out=no", variant=without, seconds=made.seconds_of(7))
+        groups = chart_speed.groups_of(Kernels([*at_all_hits, slower]), None)
+        bars = {title: [bar.value for bar in bars] for (title, _), bars in groups.items() if title.startswith("no early out")}
+        self.assertEqual(
+            {title: [round(value, 6) for value in values] for title, values in bars.items()},
+            {"no early out, float, worst-case 0.5": [7.0], "no early out, float, worst-case 1": [9.0]},
+        )
+
+    def test_errors_are_means_in_millionths_of_the_nearest_to_an_ordinary_case(self):
+        far = made.accuracy_record(case="F1", mesh_rays=0, t_error=made.error(16.0), weight_error=made.error(32.0))
+        accuracy = Accuracy([made.accuracy_record(), far])
+        of_t, of_weights = (chart_speed.error_bars(accuracy, "float", error)[0].value for error in ("t_error", "weight_error"))
+        self.assertAlmostEqual(of_t, 8 * 2.0**-23 * 1e6)
+        self.assertAlmostEqual(of_weights, 16 * 2.0**-23 * 1e6)
 
     def test_bars_stand_from_the_fastest_to_the_slowest(self):
         kernels = self.kernels(b=3, a=2, c=5)

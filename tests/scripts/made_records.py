@@ -13,22 +13,22 @@ VARIANT = {
     "output": "weights", "data": "bare",
 }  # fmt: skip
 FACTORS = ["division=late", "reciprocal=newton", "edges=strict", "data=precomputed", "rays=8", "triangles=8", "contraction=on"]
-NO_ERROR = {"count": 0, "p50": None, "p99": None, "p999": None, "max": None}
+NO_ERROR = {"count": 0, "p50": None, "p99": None, "p999": None, "max": None, "mean": None}
 
 
 def error(p99, count=100):
-    return {"count": count, "p50": p99 / 3, "p99": p99, "p999": p99 * 2, "max": p99 * 4}
+    return {"count": count, "p50": p99 / 3, "p99": p99, "p999": p99 * 2, "max": p99 * 4, "mean": p99 / 2}
 
 
 def accuracy_record(**members):
     """A faultless cell of W1; `members` replaces what a test is about."""
     record = {
-        "schema": 2, "kind": "accuracy", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
+        "schema": 3, "kind": "accuracy", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
         "reason": "", "method": "wald", "change": "base",
         "variant": VARIANT, "precision": "float", "case": "W1", "difficulty_of": "distance of the aim", "difficulty": 1.0,
         "level": 0, "rays": 1000, "mesh_rays": 1000, "trials": 4000, "hits": 1000, "boundary": 0, "false_hits": 0,
-        "false_misses": 0, "nonfinite": 0, "missed_rays": 0, "extra": 0, "uncovered": 0, "t_error": error(1.5),
-        "uv_error": error(1e-7), "consistency": error(2.0), "off_plane": error(1.0),
+        "false_misses": 0, "nonfinite": 0, "missed_rays": 0, "extra": 0, "uncovered": 0, "other_nearest": 0, "t_error": error(1.5),
+        "uv_error": error(1e-7), "weight_error": error(9.0), "consistency": error(2.0), "off_plane": error(1.0),
     }  # fmt: skip
     unknown = set(members) - set(record)
     assert not unknown, unknown
@@ -105,11 +105,20 @@ def pixel_records(methods=tuple(METHODS[:6]), seed=1):
         wrong = 0 if precision == "double" else draw.choice([0, 3, 40, 700])
         for number, core in itertools.product(range(7), ("scalar", "wide")):
             yield {
-                "schema": 1, "kind": "pixels", "experiment": "made-up", "launch": 0, "round": number, "seed": 1, "valid": True,
+                "schema": 2, "kind": "pixels", "experiment": "made-up", "launch": 0, "round": number, "seed": 1, "valid": True,
                 "reason": "", "method": method, "precision": precision, "scene": scene, "offset": offset, "core": core,
                 "wrong_pixels": wrong, "hole_pixels": wrong // 2, "pixels": 65536, "flip_mean": wrong * 1e-6,
                 "max_difference": min(wrong, 255), "rmse": wrong * 1e-5, "rays": 65536, "seconds": [draw.uniform(0.02, 0.06)],
+                "pattern": "grid", "subpixels": 1, "reference_subpixels": 1, "edge_pixels": 900, "edge_rmse": wrong * 1e-4,
             }  # fmt: skip
+
+
+def sampling_records(seed=1):
+    """Few samples by two patterns in two scenes: the circle's errors are two thirds of the grid's."""
+    of_rounding = next(pixel_records(seed=seed))
+    for scene, pattern, samples in itertools.product(("chair", "ice"), ("grid", "circle"), (2, 4, 9, 16)):
+        error = (0.3 if pattern == "grid" else 0.2) / samples
+        yield of_rounding | {"scene": scene, "offset": 0.0, "pattern": pattern, "subpixels": samples, "reference_subpixels": 1024, "edge_rmse": error}
 
 
 def atlas_records(methods=tuple(METHODS[:4]), seed=1):

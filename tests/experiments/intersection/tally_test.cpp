@@ -78,6 +78,36 @@ TYPED_TEST(Tallies, of_rays_that_must_miss_count_every_hit) {
   EXPECT_EQ(tally.hits + tally.boundary, 0u);
 }
 
+/// A ray through the lower and the upper of two triangles, one through their edges, and one beside both.
+Case two_floors() {
+  return with_maker({.id = "floors", .difficulties = {0}}, [](auto& trials, double, Random&, size_t) {
+    using T = NumberOf<decltype(trials)>;
+    trials.triangles = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
+    for (const T x : {T(0.25), T(0), T(-1)}) trials.add({{x, T(0.25), 2}, {0, 0, -1}}, {0, 1});
+  });
+}
+
+TYPED_TEST(Tallies, tell_where_another_triangle_is_the_nearest) {
+  using T = TypeParam;
+  const auto others = [](const auto& method, Output output = Output::weights) {
+    return run_case<T>(two_floors(), 0, 1, 3, method, output).other_nearest;
+  };
+  const auto lower_alone = [](const Ray<T>& ray, const Triangle<T>& triangle) {
+    return triangle.a.z == 0 ? oracle_method(ray, triangle) : std::nullopt;
+  };
+  const auto upside_down = [](const Ray<T>& ray, const Triangle<T>& triangle) {
+    auto hit = oracle_method(ray, triangle);
+    if (hit) hit->t = 3 - hit->t;
+    return hit;
+  };
+  EXPECT_EQ(others(oracle_method<T>), 0u);
+  EXPECT_EQ(others(lower_alone), 1u) << "at edges either is right";
+  EXPECT_EQ(others(upside_down), 1u);
+  EXPECT_EQ(others(never<T>), 1u);
+  EXPECT_EQ(others(always<T>), 1u) << "beside both; of hits at the same t the order of triangles decides";
+  EXPECT_EQ(others(never<T>, Output::hit), 0u) << "without t there is no nearest";
+}
+
 TYPED_TEST(Tallies, measure_errors_in_their_units) {
   using T = TypeParam;
   const T ulp = std::numeric_limits<T>::epsilon();
@@ -89,6 +119,8 @@ TYPED_TEST(Tallies, measure_errors_in_their_units) {
   const Tally tally = run_case<T>(two_triangles(Expectation::decided), 0, 1, 3, off);
   EXPECT_EQ(tally.t_error, std::vector<double>(3, 8.0));
   EXPECT_EQ(tally.uv_error, std::vector<double>(3, static_cast<double>(4 * ulp)));
+  // Inside β = γ = 1/4; at the edge of both β is 0, of which no error is relative.
+  EXPECT_EQ(tally.weight_error, (std::vector<double>{16, 8, 8, 8}));
   // t = 2 and the slope is 1: 16 ulps of 1, the largest coordinate of the triangles; of the origin it is 2.
   EXPECT_EQ(tally.off_plane, std::vector<double>(3, 16.0));
   EXPECT_EQ(tally.difference, std::vector<double>(3, 8.0));
@@ -133,6 +165,9 @@ TEST(tallies, summaries_are_quantiles) {
   EXPECT_EQ(summary.p99, 990);
   EXPECT_EQ(summary.p999, 999);
   EXPECT_EQ(summary.greatest, 1000);
+  EXPECT_EQ(summary.mean, 500);
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(Tally::summary({most, most}).mean, most) << "of errors that have no sum";
 }
 
 template <class T, class Method>
