@@ -36,6 +36,8 @@ std::vector<std::string_view> keys_of(Rule rule) {
     case Rule::order:
       add({"key", "smallest_first", "within"});
       break;
+    case Rule::value:
+      break;
   }
   return keys;
 }
@@ -60,7 +62,7 @@ Claim ClaimParser::read(const toml::table& from) {
   read_conditions(claim);
   if (claim.rule == Rule::ratio) {
     read_ratio(claim);
-  } else {
+  } else if (claim.rule != Rule::value) {
     read_key(claim);
   }
   read_expectation(claim);

@@ -51,6 +51,7 @@ ClaimScope claim_scope(const KernelConfig& config) {
   ClaimScope scope = scope_of_kind("kernel");
   scope.factors["method"] = config.methods;
   scope.factors["protocol"] = config.protocols;
+  if (!config.variants.is_star) scope.factors["change"] = config.variants.changes;
   scope.factors["precision"] = names_of(config.precisions);
   return scope;
 }
@@ -59,6 +60,7 @@ ClaimScope claim_scope(const AccuracyConfig& config) {
   ClaimScope scope = scope_of_kind("accuracy");
   scope.factors["method"] = config.methods;
   scope.factors["case"] = config.cases;
+  if (!config.variants.is_star) scope.factors["change"] = config.variants.changes;
   scope.factors["precision"] = names_of(config.precisions);
   return scope;
 }
@@ -72,6 +74,7 @@ ClaimScope claim_scope(const PixelsConfig& config) {
       scope.factors["core"].push_back(subject.core);
       scope.factors["method"].push_back(subject.method);
       scope.factors["precision"].push_back(subject.precision);
+      if (!subject.pattern.empty()) scope.factors["pattern"].push_back(subject.pattern);
     }
   }
   return scope;

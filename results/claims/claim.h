@@ -20,10 +20,11 @@ enum class Rule {
   step,     // v(at) by the v before it
   linear,   // the largest residual of a line of least squares, as a share of what was measured
   order,    // the smallest ratio of neighbours, in the order expected
+  value,    // v itself
 };
 
-inline constexpr std::array<std::string_view, 7> rule_names{"ratio", "argmax", "argmin", "plateau",
-                                                            "step",  "linear", "order"};
+inline constexpr std::array<std::string_view, 8> rule_names{"ratio", "argmax", "argmin", "plateau",
+                                                            "step",  "linear", "order",  "value"};
 
 [[nodiscard]] constexpr std::string_view name_of(Rule rule) { return rule_names[static_cast<size_t>(rule)]; }
 
@@ -51,7 +52,7 @@ struct Claim {
   bool has_for_each = false;                 // else those that vary and that the rule does not name
   Factors relative_to;                       // v is divided by that of the observation that differs in these
   Factors of, to;                            // of ratio
-  std::string key;                           // of all but ratio
+  std::string key;                           // of all but ratio and value
   std::vector<std::string> expected_values;  // of argmax, argmin and order
   std::map<std::string, ExpectedRange> expect;  // of the others; by the group's value, or "" for all
   std::vector<std::string> over;                // of plateau and linear: the ends of a range of the key

@@ -66,6 +66,8 @@ std::string compared(const Claim& claim) {
     case Rule::order:
       return fmt::format("the smallest ratio of neighbours in {} by {}, {} first: {}", quantity, claim.key,
                          claim.smallest_first ? "smallest" : "largest", expected);
+    case Rule::value:
+      return quantity;
   }
   return quantity;
 }

@@ -66,6 +66,9 @@ class Asker {
       case Rule::order:
         ask_order();
         break;
+      case Rule::value:
+        ask_value();
+        break;
     }
     return std::move(question_);
   }
@@ -156,6 +159,11 @@ class Asker {
     question_.statistic = [of, to](const std::vector<double>& raw) {
       return value_of(of, raw) / value_of(to, raw);
     };
+  }
+
+  void ask_value() {
+    const Term of = the_one({});
+    question_.statistic = [of](const std::vector<double>& raw) { return value_of(of, raw); };
   }
 
   void ask_best() {

@@ -25,6 +25,7 @@ ExpectedRange usual_range(const Claim& claim) {
       return {"", "0.1", false, false};
     case Rule::ratio:
     case Rule::step:
+    case Rule::value:
       break;
   }
   return {};

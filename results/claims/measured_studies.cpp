@@ -54,8 +54,14 @@ Factors factors_of(const AccuracyRecord& r) {
 }
 
 Factors factors_of(const PixelsRecord& r) {
-  return {{"scene", r.scene}, {"mode", r.mode},     {"offset", number_text(r.offset)},
-          {"core", r.core},   {"method", r.method}, {"precision", r.precision}};
+  return {{"scene", r.scene},
+          {"mode", r.mode},
+          {"offset", number_text(r.offset)},
+          {"core", r.core},
+          {"method", r.method},
+          {"precision", r.precision},
+          {"pattern", r.pattern},
+          {"subpixels", std::to_string(r.subpixels)}};
 }
 
 std::vector<std::string> names_of(const Factors& factors) {
@@ -74,6 +80,7 @@ void add_errors(MeasuredCell& cell, const std::string& name, const ErrorRecord& 
   add_exact(cell, (name + "_p50").c_str(), errors.p50);
   add_exact(cell, (name + "_p99").c_str(), errors.p99);
   add_exact(cell, (name + "_max").c_str(), errors.max);
+  add_exact(cell, (name + "_mean").c_str(), errors.mean);
 }
 
 /// Each statistic is a cell of its own, since it is a factor of claims and of what papers print.
@@ -106,10 +113,12 @@ std::vector<MeasuredCell> measured_cells(const AccuracyData& run) {
     MeasuredCell& cell = list.emplace_back(MeasuredCell{r.cell, factors_of(r), {}});
     add_errors(cell, "t_error", r.t_error);
     add_errors(cell, "uv_error", r.uv_error);
+    add_errors(cell, "weight_error", r.weight_error);
     add_exact(cell, "false_misses", static_cast<double>(r.false_misses));
     add_exact(cell, "false_hits", static_cast<double>(r.false_hits));
     add_exact(cell, "missed_rays", static_cast<double>(r.missed_rays));
     add_exact(cell, "extra", static_cast<double>(r.extra));
+    add_exact(cell, "other_nearest", static_cast<double>(r.other_nearest));
     add_exact(cell, "nonfinite", static_cast<double>(r.nonfinite));
   }
   return list;
@@ -124,6 +133,7 @@ std::vector<MeasuredCell> measured_cells(const PixelsData& run) {
     add_exact(cell, "wrong_pixels", static_cast<double>(r.wrong_pixels));
     add_exact(cell, "flip_mean", r.flip_mean);
     add_exact(cell, "rmse", r.rmse);
+    add_exact(cell, "edge_rmse", r.edge_rmse);
     if (row.void_rounds > 0) cell.notes.push_back(fmt::format("{} rounds void", row.void_rounds));
   }
   return list;
@@ -132,9 +142,12 @@ std::vector<MeasuredCell> measured_cells(const PixelsData& run) {
 std::vector<std::string> quantities_of(const std::string& kind) {
   if (kind == "kernel") return {"nanoseconds", "ticks"};
   if (kind == "accuracy")
-    return {"t_error_p99",  "t_error_p50", "t_error_max", "uv_error_p50", "uv_error_p99", "uv_error_max",
-            "false_misses", "false_hits",  "missed_rays", "extra",        "nonfinite"};
-  if (kind == "pixels") return {"wrong_pixels", "rmse", "flip_mean", "nanoseconds"};
+    return {"t_error_p99",      "t_error_p50",      "t_error_max",      "t_error_mean",
+            "uv_error_p50",     "uv_error_p99",     "uv_error_max",     "uv_error_mean",
+            "weight_error_p50", "weight_error_p99", "weight_error_max", "weight_error_mean",
+            "false_misses",     "false_hits",       "missed_rays",      "extra",
+            "other_nearest",    "nonfinite"};
+  if (kind == "pixels") return {"wrong_pixels", "rmse", "edge_rmse", "flip_mean", "nanoseconds"};
   return {"fps",    "frame_seconds",        "speedup",       "speedup_one", "quality", "imbalance",
           "chunks", "empty_region_seconds", "build_seconds", "rays"};
 }

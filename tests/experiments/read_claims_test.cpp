@@ -82,15 +82,16 @@ TEST(claims_of_configs, have_what_their_rule_needs) {
   const Claim order = only_claim(
       "rule = \"order\"\nkey = \"mode\"\nexpect = [\"low\", \"hard\"]\nsmallest_first = true\nquantity = "
       "\"frame_seconds\"\n");
+  EXPECT_TRUE(only_claim("rule = \"value\"\nexpect = \"> 3\"\n").key.empty());
   EXPECT_TRUE(order.smallest_first);
   EXPECT_EQ(order.quantity, "frame_seconds");
 }
 
 TEST(claims_of_configs, that_are_wrong_are_told_by_line) {
   const auto line = [](const std::string& text) { return errors(claim + text); };
-  EXPECT_EQ(
-      line("rule = \"sine\"\n"),
-      "a.toml:11: unknown rule \"sine\"; possible: ratio, argmax, argmin, plateau, step, linear, order");
+  EXPECT_EQ(line("rule = \"sine\"\n"),
+            "a.toml:11: unknown rule \"sine\"; possible: ratio, argmax, argmin, plateau, step, linear, "
+            "order, value");
   EXPECT_EQ(errors("[[claim]]\nrule = \"plateau\"\nkey = \"threads\"\n"),
             "a.toml:8: a claim needs an id, which is its name in tables: id = \"peak-at-pus\"\n"
             "a.toml:8: a claim needs a text, which says in words what is claimed");
@@ -109,6 +110,12 @@ TEST(claims_of_configs, that_are_wrong_are_told_by_line) {
   EXPECT_EQ(line("rule = \"step\"\nkey = \"threads\"\n"),
             "a.toml:8: rule \"step\" needs at: the value of its key at which the step is\n"
             "a.toml:8: rule \"step\" needs expect: a range such as [1.2, 1.3] or \">= 1.5\"");
+  EXPECT_EQ(
+      line("rule = \"value\"\nexpect = \"> 1\"\nkey = \"mode\"\n"),
+      "a.toml:13: unknown key \"claim.key\"; possible: id, text, source, rule, quantity, where, for_each, "
+      "expect, relative_to, holds, applies_when, applies_to, why");
+  EXPECT_EQ(line("rule = \"value\"\n"),
+            "a.toml:8: rule \"value\" needs expect: a range such as [1.2, 1.3] or \">= 1.5\"");
   EXPECT_EQ(line("rule = \"argmax\"\nkey = \"threads\"\n"),
             "a.toml:8: rule \"argmax\" needs expect: values of its key");
   EXPECT_EQ(line("rule = \"order\"\nkey = \"mode\"\nexpect = \"low\"\n"),

@@ -85,7 +85,7 @@ TEST(claim_sheets, a_rule_of_a_later_program_is_refused) {
   } catch (const RecordError& error) {
     EXPECT_STREQ(
         error.what(),
-        "unknown \"sine\" in a claim; possible: ratio, argmax, argmin, plateau, step, linear, order");
+        "unknown \"sine\" in a claim; possible: ratio, argmax, argmin, plateau, step, linear, order, value");
   }
 }
 

@@ -60,6 +60,16 @@ TEST_P(judged, a_ratio_at_the_edge_of_its_range_is_undecided) {
       << side.sentence;
 }
 
+TEST_P(judged, a_value_is_judged_by_itself_one_in_a_group) {
+  Claim claim = claim_of(Rule::value);
+  claim.key = "";
+  claim.expect[""] = {"3.5", "pus / 2"};
+  EXPECT_EQ(verdict(claim, {{6, 4}, {12, 5.5}}), Verdict::holds);
+  EXPECT_EQ(verdict(claim, {{6, 4}, {12, 1}}), Verdict::fails) << "each thread count is a group";
+  claim.has_for_each = true;
+  EXPECT_EQ(verdict(claim, {{6, 4}, {12, 5.5}}), Verdict::untold) << "two numbers in one group";
+}
+
 TEST_P(judged, the_peak_is_where_it_is_expected_or_as_good_as_there) {
   Claim claim = claim_of(Rule::argmax);
   claim.expected_values = {"pus"};
