@@ -1,19 +1,12 @@
 #include "results/claims/expression.h"
 
 #include <fmt/format.h>
-#include <muParser.h>
+#include <mpParser.h>
 
 #include <cmath>
 #include <regex>
 
 namespace raysweep {
-
-namespace {
-
-double both(double a, double b) { return a != 0 && b != 0 ? 1 : 0; }
-double either(double a, double b) { return a != 0 || b != 0 ? 1 : 0; }
-
-}  // namespace
 
 bool mentions_machine(const std::string& text) {
   static const std::regex name(R"(\b(cores|pus|smt)\b)");
@@ -27,16 +20,15 @@ double evaluate(const std::string& text, const MachineCounts& machine) {
     throw ExpressionError(fmt::format("\"{}\" needs a machine whose cores are known", text));
   double value = 0;
   try {
-    mu::Parser parser;
+    mup::ParserX parser;
     // Constants, so that "cores = 6" is refused and not an assignment.
-    parser.DefineConst("cores", machine.cores);
-    parser.DefineConst("pus", machine.pus);
-    parser.DefineConst("smt", machine.pus > machine.cores ? 1 : 0);
-    parser.DefineOprt("and", both, mu::prLAND);
-    parser.DefineOprt("or", either, mu::prLOR);
+    parser.DefineConst("cores", static_cast<mup::float_type>(machine.cores));
+    parser.DefineConst("pus", static_cast<mup::float_type>(machine.pus));
+    parser.DefineConst("smt", machine.pus > machine.cores);
     parser.SetExpr(text);
-    value = parser.Eval();
-  } catch (const mu::Parser::exception_type& error) {
+    const mup::Value result = parser.Eval();
+    value = result.GetType() == 'b' ? static_cast<double>(result.GetBool()) : result.GetFloat();
+  } catch (const mup::ParserError& error) {
     throw ExpressionError(
         fmt::format("\"{}\" is no formula of cores, pus and smt: {}", text, error.GetMsg()));
   }

@@ -18,8 +18,10 @@ struct ExpressionError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What `text` comes to with cores, pus and smt (1 where there are more processors than cores, else 0);
-/// truths are 1 and 0. Operators are those of muParser, with `and` and `or` for && and ||.
+/// What `text` comes to with cores, pus and smt (true where there are more processors than cores);
+/// truths come to 1 and 0. Operators are those of
+/// muParserX, `and` and `or` among them. (Debian's muParser would bring an OpenMP runtime into every
+/// process.)
 [[nodiscard]] double evaluate(const std::string& text, const MachineCounts& machine);
 
 /// Whether `text` names cores, pus or smt.
