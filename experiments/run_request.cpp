@@ -5,10 +5,10 @@
 
 #include <ctime>
 
-#include "experiments/read_claims.h"
 #include "experiments/config_toml.h"
 #include "experiments/errors.h"
 #include "experiments/include_list.h"
+#include "experiments/read_claims.h"
 
 namespace raysweep {
 
