@@ -73,7 +73,7 @@ TEST_F(AccuracyThreads, go_on_where_others_were_stopped_and_end_with_the_same_by
 TEST_F(AccuracyThreads, leave_the_fields_that_every_record_has) {
   (void)run("a", 2);
   for (const AccuracyRecord& record : read_accuracy_records(records_of("a"))) {
-    EXPECT_EQ(record.schema, 2);
+    EXPECT_EQ(record.schema, accuracy_schema);
     EXPECT_EQ(record.kind, "accuracy");
     EXPECT_EQ(record.launch, 0);
     EXPECT_EQ(record.round, 0);
