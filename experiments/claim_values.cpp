@@ -97,7 +97,7 @@ Factors ClaimValues::factors(const toml::node& node, const std::string& where) {
   for (const auto& [key, value] : *from) {
     const std::string name(key.str());
     check_factor(value, name, where);
-    if (const auto one = text(value, where + "." + name)) {
+    if (const auto one = text(value, fmt::format("{}.{}", where, name))) {
       check_value(value, name, *one);
       made[name] = *one;
     }
@@ -112,7 +112,7 @@ Selector ClaimValues::selector(const toml::node& node, const std::string& where)
   for (const auto& [key, value] : *from) {
     const std::string name(key.str());
     check_factor(value, name, where);
-    made[name] = texts(value, where + "." + name);
+    made[name] = texts(value, fmt::format("{}.{}", where, name));
     for (const std::string& one : made[name]) check_value(value, name, one);
   }
   return made;

@@ -103,11 +103,12 @@ class PublishedParser {
   }
 
   /// As it is where there is none, for the error to name.
-  fs::path find(const std::string& file) const {
-    const fs::path of_sources = fs::path(RAYSWEEP_RESULTS_DIR) / file;
+  [[nodiscard]] fs::path find(const std::string& file) const {
+    fs::path of_sources = fs::path(RAYSWEEP_RESULTS_DIR) / file;
     if (fs::exists(of_sources)) return of_sources;
-    const fs::path beside = fs::path(reader_.file()).parent_path() / file;
-    return fs::exists(beside) ? beside : fs::path(file);
+    fs::path beside = fs::path(reader_.file()).parent_path() / file;
+    if (fs::exists(beside)) return beside;
+    return file;
   }
 
   TomlReader& reader_;
