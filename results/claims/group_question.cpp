@@ -85,7 +85,7 @@ class Asker {
   }
 
   /// What sets it apart within the group.
-  std::string of(const Observation& one) const {
+  [[nodiscard]] std::string of(const Observation& one) const {
     Factors own;
     for (const std::string& name : named_factors(claim_)) {
       if (const auto found = one.factors.find(name); found != one.factors.end()) own.insert(*found);
@@ -127,7 +127,7 @@ class Asker {
   }
 
   /// By the key, in the order of its values.
-  std::vector<Keyed> by_key() const {
+  [[nodiscard]] std::vector<Keyed> by_key() const {
     std::map<std::string, ObservationList, decltype(&is_value_before)> found(&is_value_before);
     for (const Observation* const one : group_.members) {
       const auto own = one->factors.find(claim_.key);
@@ -144,13 +144,13 @@ class Asker {
     return term(one.found.front());
   }
 
-  bool is_key(const std::string& key, const std::string& value) const {
+  [[nodiscard]] bool is_key(const std::string& key, const std::string& value) const {
     Observation probe;
     probe.factors[claim_.key] = key;
     return has_value(probe, claim_.key, value, machine_);
   }
 
-  bool is_in(const std::string& key, const std::vector<std::string>& values) const {
+  [[nodiscard]] bool is_in(const std::string& key, const std::vector<std::string>& values) const {
     return std::ranges::any_of(values, [&](const std::string& value) { return is_key(key, value); });
   }
 
@@ -180,7 +180,7 @@ class Asker {
   }
 
   /// The values that `over` or `values` allow.
-  std::vector<Keyed> in_range(size_t fewest) const {
+  [[nodiscard]] std::vector<Keyed> in_range(size_t fewest) const {
     std::vector<Keyed> list;
     for (const Keyed& one : by_key()) {
       if (!claim_.over.empty()) {
@@ -220,8 +220,8 @@ class Asker {
     };
   }
 
-  std::vector<Keyed>::const_iterator place_of(const std::vector<Keyed>& list,
-                                              const std::string& value) const {
+  [[nodiscard]] std::vector<Keyed>::const_iterator place_of(const std::vector<Keyed>& list,
+                                                            const std::string& value) const {
     const auto found = std::ranges::find_if(list, [&](const auto& one) { return is_key(one.key, value); });
     if (found == list.end()) throw Problem{fmt::format("there is none at {} {}", claim_.key, value), true};
     return found;

@@ -26,14 +26,14 @@ class PictureCells {
  public:
   explicit PictureCells(const RunData& run) : run_(run), launches_(run.records) {}
 
-  std::vector<MeasuredCell> cells() const {
+  [[nodiscard]] std::vector<MeasuredCell> cells() const {
     std::vector<MeasuredCell> list;
     for (const CellRow& row : run_.rows) list.push_back(cell_of(row));
     return list;
   }
 
  private:
-  MeasuredCell cell_of(const CellRow& row) const {
+  [[nodiscard]] MeasuredCell cell_of(const CellRow& row) const {
     const Record& r = row.cell;
     MeasuredCell cell{r.cell, {}, {}, row.notes, row.oversubscribed};
     for (const FactorText& factor : factor_texts()) cell.factors[factor.name] = factor.text(r);
