@@ -49,16 +49,16 @@ std::string compared(const Claim& claim) {
     case Rule::ratio:
       return fmt::format("{} at {} by that at {}", quantity, to_text(claim.of), to_text(claim.to));
     case Rule::argmax:
-      return fmt::format("the largest {} at {} {} by the largest at any other", quantity, claim.key,
-                         expected);
+      return fmt::format("the largest {} at {} by the largest at any other", quantity,
+                         factor_text(claim.key, expected));
     case Rule::argmin:
       return fmt::format("the smallest {} at any other {} by the smallest at {}", quantity, claim.key,
-                         expected);
+                         factor_text(claim.key, expected));
     case Rule::plateau:
       return fmt::format("the largest {} by the smallest over {}", quantity, range_of_key(claim));
     case Rule::step:
-      return fmt::format("{} at {} {} by that {}", quantity, claim.key, claim.at,
-                         claim.from.empty() ? "at the value before" : "at " + claim.from);
+      return fmt::format("{} at {} by that at {}", quantity, factor_text(claim.key, claim.at),
+                         claim.from.empty() ? "the value before" : factor_text(claim.key, claim.from));
     case Rule::linear:
       return fmt::format("the largest residual of {}{} against a line{} over {}, as a share",
                          claim.inverse ? "1/" : "", quantity, claim.intercept ? "" : " through the origin",
@@ -125,9 +125,11 @@ std::string found_text(const std::vector<GroupJudgement>& groups) {
   for (const GroupJudgement& group : groups) {
     if (group.value) told.push_back(&group);
   }
-  if (groups.size() > most_groups_told && !told.empty()) return extremes(told);
+  if (told.empty()) return groups.front().problem;
+  if (told.size() > most_groups_told) return extremes(told);
   std::string text;
-  for (const GroupJudgement& group : groups) text.append(text.empty() ? "" : ", ").append(to_text(group));
+  for (const GroupJudgement* const group : told)
+    text.append(text.empty() ? "" : ", ").append(to_text(*group));
   return text;
 }
 

@@ -17,7 +17,8 @@ namespace raysweep {
 /// "1.2 to 1.3", "at least 1", "below 2", as numbers; what every group expects, or the first.
 [[nodiscard]] std::string expected_text(const GroupJudgement& group);
 
-/// What was found in the groups: each where they are few, else the least and the largest.
+/// What was found in the groups, of which there is one at least: each where they are few, else the least and
+/// the largest; why there is nothing, where no group has a value.
 [[nodiscard]] std::string found_text(const std::vector<GroupJudgement>& groups);
 
 }  // namespace raysweep

@@ -153,10 +153,14 @@ std::set<std::string> named_factors(const Claim& claim) {
   return names;
 }
 
+std::string factor_text(const std::string& name, const std::string& value) {
+  return fmt::format("{} {}{}", name, mentions_machine(value) ? "= " : "", value);
+}
+
 std::string to_text(const Factors& factors) {
   std::string text;
   for (const auto& [name, value] : factors)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value);
+    text.append(text.empty() ? "" : ", ").append(factor_text(name, value));
   return text.empty() ? "all" : text;
 }
 

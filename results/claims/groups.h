@@ -43,6 +43,9 @@ struct ObservationGroup {
 /// The factors that the claim's rule names.
 [[nodiscard]] std::set<std::string> named_factors(const Claim& claim);
 
+/// "threads 12", "threads = 2*pus".
+[[nodiscard]] std::string factor_text(const std::string& name, const std::string& value);
+
 /// "threads 12, mode low"; "all" of none.
 [[nodiscard]] std::string to_text(const Factors& factors);
 

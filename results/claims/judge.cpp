@@ -95,8 +95,10 @@ void add_verdict(SideJudgement& side, const Claim& claim) {
   };
   const size_t yes = count(true), open = count(std::nullopt), all = side.groups.size();
   const size_t needed = needed_groups(claim, all);
+  const bool any_told =
+      std::ranges::any_of(side.groups, [](const auto& group) { return group.value.has_value(); });
   side.sentence = found_text(side.groups);
-  if (all > 1) side.sentence += fmt::format("; holds in {} of {}", yes, all);
+  if (all > 1 && any_told) side.sentence += fmt::format("; holds in {} of {}", yes, all);
   if (yes >= needed) {
     side.verdict = Verdict::holds;
   } else if (yes + open < needed) {
@@ -104,7 +106,7 @@ void add_verdict(SideJudgement& side, const Claim& claim) {
   } else {
     const auto first = std::ranges::find_if(side.groups, [](const auto& group) { return !group.holds; });
     side.is_undecided = first->value.has_value();
-    side.sentence += fmt::format("; undecided: {}", first->problem);
+    if (any_told) side.sentence += fmt::format("; undecided: {}", first->problem);
   }
 }
 
@@ -125,9 +127,10 @@ std::optional<std::string> why_not_applicable(const Claim& claim, const MachineC
 SideJudgement judge_published(const Claim& claim, const ClaimSheet& sheet) {
   if (claim.applies_to == AppliesTo::ours) return untold("a claim about our numbers only");
   if (!sheet.published) return untold("there is no printed table");
-  if (sheet.published->quantity != claim.quantity)
+  const auto printed = observations_of(*sheet.published, claim.quantity);
+  if (!printed)
     return untold(fmt::format("the table prints {}, not {}", sheet.published->quantity, claim.quantity));
-  return judge(claim, observations_of(*sheet.published), sheet.published->machine);
+  return judge(claim, *printed, sheet.published->machine);
 }
 
 SideJudgement judge_ours(const Claim& claim, const Observations& ours, const MachineCounts& machine) {

@@ -118,7 +118,11 @@ double half_unit_of(const std::string& printed) {
   return 0.5 * std::pow(10, exponent - decimals);
 }
 
-std::vector<Observation> observations_of(const PublishedTable& table) {
+std::optional<std::vector<Observation>> observations_of(const PublishedTable& table,
+                                                        const std::string& quantity) {
+  const bool is_inverse = (table.quantity == "fps" && quantity == "frame_seconds") ||
+                          (table.quantity == "frame_seconds" && quantity == "fps");
+  if (table.quantity != quantity && !is_inverse) return std::nullopt;
   std::vector<Observation> list;
   std::set<Factors> known;
   for (const PrintedNumber& number : table.numbers) {
@@ -128,6 +132,9 @@ std::vector<Observation> observations_of(const PublishedTable& table) {
     made.value.value = leading_number(number.text).value_or(0) * table.scale;
     made.value.count = 1;
     made.half_unit = half_unit_of(number.text) * table.scale;
+    if (!is_inverse) continue;
+    made.half_unit /= made.value.value * made.value.value;
+    made.value.value = 1 / made.value.value;
   }
   return list;
 }

@@ -43,8 +43,10 @@ struct PublishedLayout {
                                                         const std::string& quantity);
 
 /// In the quantity's unit, each with half a unit of its last printed digit. Of numbers that are printed twice
-/// for the same factors the first counts.
-[[nodiscard]] std::vector<Observation> observations_of(const PublishedTable& table);
+/// for the same factors the first counts. A table of fps is one of frame_seconds too, and the other way
+/// round; none of other quantities than it prints.
+[[nodiscard]] std::optional<std::vector<Observation>> observations_of(const PublishedTable& table,
+                                                                      const std::string& quantity);
 
 /// Half a unit of the last digit: 0.0005 of "6.888", 0.5 of "36".
 [[nodiscard]] double half_unit_of(const std::string& printed);

@@ -83,17 +83,29 @@ TEST(published_tables, are_unsure_by_half_a_unit_of_the_last_digit) {
   PublishedTable table;
   table.scale = 1e-6;
   table.numbers = {{{}, "250"}, {{}, "300"}};
-  const auto list = observations_of(table);
+  table.quantity = "frame_seconds";
+  const auto list = observations_of(table, "frame_seconds").value();
   ASSERT_EQ(list.size(), 1u) << "of what is printed twice the first counts";
   EXPECT_DOUBLE_EQ(list[0].value.value, 250e-6);
   EXPECT_DOUBLE_EQ(list[0].half_unit, 0.5e-6);
+}
+
+TEST(published_tables, of_times_are_tables_of_frames_a_second_too) {
+  PublishedTable table;
+  table.quantity = "frame_seconds";
+  table.scale = 1e-3;
+  table.numbers = {{{}, "40"}};
+  const auto fps = observations_of(table, "fps").value();
+  EXPECT_DOUBLE_EQ(fps.at(0).value.value, 25);
+  EXPECT_NEAR(fps.at(0).half_unit, 25 * 0.5 / 40, 1e-12) << "relative errors stay";
+  EXPECT_FALSE(observations_of(table, "speedup"));
 }
 
 class morozov : public testing::Test {
  protected:
   static SideJudgement judge_table(Claim claim) {
     claim.quantity = "fps";
-    return judge(claim, observations_of(morozov_table_3()), {6, 12});
+    return judge(claim, observations_of(morozov_table_3(), "fps").value(), {6, 12});
   }
   static Claim on_threads(Rule rule) {
     Claim claim;
