@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "results/claims/groups.h"
 #include "tests/results/claims/made_up.h"
 
 namespace raysweep {
@@ -271,6 +272,18 @@ TEST(judgement, a_scheduler_that_has_no_use_for_a_factor_is_in_every_group_of_it
   const SideJudgement side = judge(claim, list, machine);
   EXPECT_EQ(side.verdict, Verdict::holds) << side.sentence;
   EXPECT_EQ(side.groups.size(), 2u);
+  claim.where["chunk"] = {"2"};
+  EXPECT_EQ(judge(claim, list, machine).verdict, Verdict::holds) << "where does not leave it out either";
+}
+
+TEST(judgement, what_has_no_use_for_a_factor_is_no_group_beside_those_that_it_is_part_of) {
+  const std::vector<Observation> list{measured({{"scheduler", "serial"}, {"chunk", "-"}}, 4),
+                                      measured({{"scheduler", "omp_dynamic"}, {"chunk", "1"}}, 6)};
+  const auto groups = groups_by({&list[0], &list[1]}, {"chunk"});
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].factors, (Factors{{"chunk", "1"}}));
+  EXPECT_EQ(groups[0].members.size(), 2u);
+  EXPECT_EQ(groups_by({&list[0]}, {"chunk"}).size(), 1u) << "but alone it is one";
 }
 
 TEST(judgement, a_factor_that_others_decide_splits_no_group) {
@@ -292,7 +305,7 @@ TEST(judgement, a_factor_that_others_decide_splits_no_group) {
 TEST(judgement, verdicts_have_the_words_of_the_study) {
   ClaimSheet sheet;
   sheet.claims = {ratio_claim("1.2", "1.3"), ratio_claim("2", ""), ratio_claim("1.25", ""),
-                  ratio_claim("1", "2")};
+                  ratio_claim("1", "3")};
   sheet.claims[3].applies_to = AppliesTo::published;
   PublishedTable table;
   table.quantity = "fps";
