@@ -1,0 +1,53 @@
+#!/usr/bin/python3
+"""scripts/list_verdicts: a line a claim, from the reports of runs alone."""
+import json
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "list_verdicts"
+
+
+def claim(name, published, ours):
+    return {"id": name, "published": {"verdict": published}, "ours": {"verdict": ours}}
+
+
+class ListVerdicts(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def run_of(self, experiment, claims):
+        folder = pathlib.Path(self.folder.name) / experiment
+        folder.mkdir()
+        report = {"schema": 1, "experiment": experiment, "claims": claims}
+        (folder / "report.json").write_text(json.dumps(report), encoding="utf-8")
+        return folder
+
+    def listed(self, *folders):
+        return subprocess.run([SCRIPT, *folders], capture_output=True, text=True, check=False)
+
+    def test_each_claim_has_a_line_in_the_order_of_the_runs(self):
+        first = self.run_of("B", [claim("x", "holds in the source", "reproduced")])
+        second = self.run_of("A", [claim("y", "not in a table", "not reproduced"), claim("z", "not in a table", "reproduced")])
+        result = self.listed(first, second)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = [line.split("  ") for line in result.stdout.splitlines()]
+        cells = [[cell.strip() for cell in line if cell.strip()] for line in lines]
+        self.assertEqual(cells[2:5], [["B", "x", "holds in the source", "reproduced"],
+                                      ["A", "y", "not in a table", "not reproduced"],
+                                      ["A", "z", "not in a table", "reproduced"]])
+        self.assertIn("3 claims: 1 not reproduced, 2 reproduced", result.stdout)
+
+    def test_a_folder_without_a_report_is_told_with_what_writes_it(self):
+        folder = pathlib.Path(self.folder.name)
+        result = self.listed(folder)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(f"{folder}/report.json: no report of a run", result.stderr)
+        self.assertIn(f"`raysweep report {folder}` writes it", result.stderr)
+        self.assertEqual(result.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main()
