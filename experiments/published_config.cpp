@@ -103,7 +103,7 @@ class PublishedParser {
   }
 
   /// As it is where there is none, for the error to name.
-  [[nodiscard]] [[nodiscard]] fs::path find(const std::string& file) const {
+  [[nodiscard]] fs::path find(const std::string& file) const {
     fs::path of_sources = fs::path(RAYSWEEP_RESULTS_DIR) / file;
     if (fs::exists(of_sources)) return of_sources;
     fs::path beside = fs::path(reader_.file()).parent_path() / file;
