@@ -75,8 +75,8 @@ void add_exact(MeasuredCell& cell, const char* name, double value) {
   if (!std::isnan(value)) cell.values[name] = exact_observation(value);
 }
 
+/// Nothing where there were no errors to tell of: they are NaN then.
 void add_errors(MeasuredCell& cell, const std::string& name, const ErrorRecord& errors) {
-  if (errors.count == 0) return;
   add_exact(cell, (name + "_p50").c_str(), errors.p50);
   add_exact(cell, (name + "_p99").c_str(), errors.p99);
   add_exact(cell, (name + "_max").c_str(), errors.max);
