@@ -92,7 +92,7 @@ class TestPass : public SmallPass {
   std::vector<float> found_;
 };
 
-std::unique_ptr<SmallPass> prepare(const FactorValues& values, uint64_t seed) {
+std::unique_ptr<SmallPass> prepare_branches(const FactorValues& values, uint64_t seed) {
   const double hit_rate = number_of(values, "hit_rate");
   if (values.at("branches") == "yes") return std::make_unique<TestPass<EarlyExits>>(hit_rate, seed);
   return std::make_unique<TestPass<NoBranches>>(hit_rate, seed);
@@ -107,7 +107,7 @@ SmallKernel branches_kernel() {
           {{"branches", {"yes", "no"}},
            {"hit_rate", {}, 0, 1, 1.0 / run_length, {0, 0.1, 0.3, 0.5, 0.7, 0.9, 1}}},
           [](const FactorValues&) { return std::string(); },
-          prepare,
+          prepare_branches,
           // Both passes and what is made for them are short beside samples.
           [](const FactorValues&) { return 0.0; }};
 }

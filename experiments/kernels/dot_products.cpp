@@ -104,7 +104,7 @@ class DotPass : public SmallPass {
   std::vector<float> a_, b_, products_;
 };
 
-std::unique_ptr<SmallPass> prepare(const FactorValues& values, uint64_t seed) {
+std::unique_ptr<SmallPass> prepare_dot_products(const FactorValues& values, uint64_t seed) {
   return std::make_unique<DotPass>(loop_of(values.at("dot")), seed);
 }
 
@@ -116,7 +116,7 @@ SmallKernel dot_products_kernel() {
           "product",
           {{"dot", {"dpps", "shuffles", "highway", "scalar"}}},
           why_not,
-          prepare,
+          prepare_dot_products,
           // Both passes and what is made for them are short beside samples.
           [](const FactorValues&) { return 0.0; }};
 }

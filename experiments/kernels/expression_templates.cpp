@@ -100,12 +100,12 @@ class ExpressionPass : public SmallPass {
 };
 
 /// An evaluation, and reading a clock around it once in each record.
-double rough_seconds(const FactorValues& values) {
+double rough_seconds_of_expressions(const FactorValues& values) {
   const double nanoseconds = values.at("vector") == "valarray" ? 120 : 15;
   return number_of(values, "iterations") * nanoseconds * 1e-9;
 }
 
-std::unique_ptr<SmallPass> prepare(const FactorValues& values, uint64_t seed) {
+std::unique_ptr<SmallPass> prepare_expressions(const FactorValues& values, uint64_t seed) {
   const auto count = static_cast<uint64_t>(number_of(values, "iterations"));
   const std::string& vector = values.at("vector");
   if (vector == "valarray") return std::make_unique<ExpressionPass<ValarrayHolder>>(count, seed);
@@ -161,8 +161,8 @@ SmallKernel expression_templates_kernel() {
           {{"vector", {"expression_templates", "valarray", "valarray_lazy", "struct", "eigen", "highway"}},
            {"iterations", {}, 1, 1e7, 1, {10, 100, 1000, 1e4, 1e5, 1e6, 1e7}}},
           [](const FactorValues&) { return std::string(); },
-          prepare,
-          rough_seconds};
+          prepare_expressions,
+          rough_seconds_of_expressions};
 }
 
 }  // namespace raysweep

@@ -61,9 +61,9 @@ struct Times {
 
 /// Operands are held as they are: they live until the end of the statement, or are nodes themselves.
 template <class Left, class Operation, class Right>
-class Node : public Expression<Node<Left, Operation, Right>> {
+class ExpressionNode : public Expression<ExpressionNode<Left, Operation, Right>> {
  public:
-  Node(const Left& left, const Right& right) : left_(left), right_(right) {}
+  ExpressionNode(const Left& left, const Right& right) : left_(left), right_(right) {}
   [[nodiscard]] PackedFloats lanes() const { return Operation::of(left_.lanes(), right_.lanes()); }
 
  private:
@@ -71,7 +71,7 @@ class Node : public Expression<Node<Left, Operation, Right>> {
   typename Right::Held right_;
 
  public:
-  using Held = Node;
+  using Held = ExpressionNode;
 };
 
 class LazyVec4 : public Expression<LazyVec4> {
@@ -92,15 +92,15 @@ class LazyVec4 : public Expression<LazyVec4> {
 };
 
 template <class L, class R>
-[[nodiscard]] Node<L, Plus, R> operator+(const Expression<L>& a, const Expression<R>& b) {
+[[nodiscard]] ExpressionNode<L, Plus, R> operator+(const Expression<L>& a, const Expression<R>& b) {
   return {a.self(), b.self()};
 }
 template <class L, class R>
-[[nodiscard]] Node<L, Minus, R> operator-(const Expression<L>& a, const Expression<R>& b) {
+[[nodiscard]] ExpressionNode<L, Minus, R> operator-(const Expression<L>& a, const Expression<R>& b) {
   return {a.self(), b.self()};
 }
 template <class L, class R>
-[[nodiscard]] Node<L, Times, R> operator*(const Expression<L>& a, const Expression<R>& b) {
+[[nodiscard]] ExpressionNode<L, Times, R> operator*(const Expression<L>& a, const Expression<R>& b) {
   return {a.self(), b.self()};
 }
 

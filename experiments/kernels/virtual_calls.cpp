@@ -221,12 +221,12 @@ class CallPass : public SmallPass {
 };
 
 /// Making an object takes longer than calling it; what disturbs a first pass takes ten times a millisecond.
-double rough_seconds(const FactorValues& values) {
+double rough_seconds_of_virtual_calls(const FactorValues& values) {
   const double objects = number_of(values, "length") * 50e-9;
   return objects + (values.at("pass") == "first" ? 0.01 : 0);
 }
 
-std::unique_ptr<SmallPass> prepare(const FactorValues& values, uint64_t seed) {
+std::unique_ptr<SmallPass> prepare_virtual_calls(const FactorValues& values, uint64_t seed) {
   const auto length = static_cast<size_t>(number_of(values, "length"));
   const bool is_first = values.at("pass") == "first";
   const std::string& dispatch = values.at("dispatch");
@@ -247,8 +247,8 @@ SmallKernel virtual_calls_kernel() {
            {"length", {}, 1, 1e6, 1, {1, 10, 100, 1000, 1e4, 1e5, 1e6}},
            {"pass", {"first", "repeated"}}},
           [](const FactorValues&) { return std::string(); },
-          prepare,
-          rough_seconds};
+          prepare_virtual_calls,
+          rough_seconds_of_virtual_calls};
 }
 
 }  // namespace raysweep

@@ -14,16 +14,17 @@ Comparison compare(const std::vector<Round>& rounds) {
           estimate_median(ratio)};
 }
 
-Verdict judge(const Comparison& comparison) {
+OverheadVerdict judge(const Comparison& comparison) {
   const auto& difference = comparison.difference.interval;
   const auto& ratio = comparison.ratio.interval;
-  if (!difference || !ratio) return Verdict::undecided;
-  if (difference->high <= claimed_nanoseconds || ratio->high <= claimed_ratio) return Verdict::holds;
-  if (difference->low > claimed_nanoseconds && ratio->low > claimed_ratio) return Verdict::does_not_hold;
-  return Verdict::undecided;
+  if (!difference || !ratio) return OverheadVerdict::undecided;
+  if (difference->high <= claimed_nanoseconds || ratio->high <= claimed_ratio) return OverheadVerdict::holds;
+  if (difference->low > claimed_nanoseconds && ratio->low > claimed_ratio)
+    return OverheadVerdict::does_not_hold;
+  return OverheadVerdict::undecided;
 }
 
-std::string_view text(Verdict verdict) {
+std::string_view text(OverheadVerdict verdict) {
   constexpr std::string_view texts[] = {"holds", "does not hold", "undecided"};
   return texts[static_cast<size_t>(verdict)];
 }

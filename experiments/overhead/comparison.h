@@ -29,11 +29,11 @@ struct Comparison {
 /// tiles of a hundred microseconds and more, 10 ns are less than a ten-thousandth.
 inline constexpr double claimed_ratio = 1.02, claimed_nanoseconds = 10;
 
-enum class Verdict { holds, does_not_hold, undecided };
+enum class OverheadVerdict { holds, does_not_hold, undecided };
 
 /// Holds if one of the intervals is within its claim, fails if both are beyond.
-[[nodiscard]] Verdict judge(const Comparison& comparison);
-[[nodiscard]] std::string_view text(Verdict verdict);
+[[nodiscard]] OverheadVerdict judge(const Comparison& comparison);
+[[nodiscard]] std::string_view text(OverheadVerdict verdict);
 
 /// Calls both in turns, direct first in even rounds and second in odd ones, so that neither always inherits
 /// what the other leaves behind. Each returns nanoseconds of a chunk. One more round before is thrown away.

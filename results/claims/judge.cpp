@@ -100,9 +100,9 @@ void add_verdict(SideJudgement& side, const Claim& claim) {
   side.sentence = found_text(side.groups);
   if (all > 1 && any_told) side.sentence += fmt::format("; holds in {} of {}", yes, all);
   if (yes >= needed) {
-    side.verdict = Verdict::holds;
+    side.verdict = ClaimVerdict::holds;
   } else if (yes + open < needed) {
-    side.verdict = Verdict::fails;
+    side.verdict = ClaimVerdict::fails;
   } else {
     const auto first = std::ranges::find_if(side.groups, [](const auto& group) { return !group.holds; });
     side.is_undecided = first->value.has_value();
@@ -110,7 +110,7 @@ void add_verdict(SideJudgement& side, const Claim& claim) {
   }
 }
 
-SideJudgement untold(std::string sentence) { return {Verdict::untold, false, std::move(sentence), {}}; }
+SideJudgement untold(std::string sentence) { return {ClaimVerdict::untold, false, std::move(sentence), {}}; }
 
 /// Whether the claim is about this machine; else why not.
 std::optional<std::string> why_not_applicable(const Claim& claim, const MachineCounts& machine) {
@@ -144,11 +144,11 @@ SideJudgement judge_ours(const Claim& claim, const Observations& ours, const Mac
 
 std::string ClaimJudgement::published_verdict() const {
   switch (published.verdict) {
-    case Verdict::holds:
+    case ClaimVerdict::holds:
       return "holds in the source";
-    case Verdict::fails:
+    case ClaimVerdict::fails:
       return "contradicted by its own table";
-    case Verdict::untold:
+    case ClaimVerdict::untold:
       break;
   }
   return published.is_undecided ? "undecided by its digits" : "not in a table";
@@ -156,11 +156,11 @@ std::string ClaimJudgement::published_verdict() const {
 
 std::string ClaimJudgement::our_verdict() const {
   switch (ours.verdict) {
-    case Verdict::holds:
+    case ClaimVerdict::holds:
       return "reproduced";
-    case Verdict::fails:
+    case ClaimVerdict::fails:
       return "not reproduced";
-    case Verdict::untold:
+    case ClaimVerdict::untold:
       break;
   }
   return "cannot be tested here";

@@ -10,7 +10,7 @@
 
 namespace raysweep {
 
-enum class Verdict { holds, fails, untold };
+enum class ClaimVerdict { holds, fails, untold };
 
 /// The rule's number of one group.
 struct GroupJudgement {
@@ -25,7 +25,7 @@ struct GroupJudgement {
 
 /// A claim on one set of numbers.
 struct SideJudgement {
-  Verdict verdict = Verdict::untold;
+  ClaimVerdict verdict = ClaimVerdict::untold;
   bool is_undecided = false;  // of `untold`: there are numbers, but they do not tell
   std::string sentence;       // what was found, and why it is the verdict
   std::vector<GroupJudgement> groups;

@@ -10,7 +10,7 @@ namespace raysweep {
 namespace {
 
 /// As configs write numbers.
-std::string number_text(double value) { return std::isnan(value) ? "none" : fmt::format("{:g}", value); }
+std::string plain_number(double value) { return std::isnan(value) ? "none" : fmt::format("{:g}", value); }
 
 /// Names, as they stand in records, for both directions of `factors_of`.
 Factors factors_of(const VariantRecord& v) {
@@ -37,7 +37,7 @@ Factors factors_of(const KernelRecord& r) {
                   {"isa", r.isa},
                   {"bytes", std::to_string(r.bytes)},
                   {"protocol", r.protocol},
-                  {"parameter", number_text(r.parameter)},
+                  {"parameter", plain_number(r.parameter)},
                   {"scene", r.scene.empty() ? "none" : r.scene},
                   {"threads", std::to_string(r.threads)}});
   return factors;
@@ -49,14 +49,14 @@ Factors factors_of(const AccuracyRecord& r) {
                   {"change", r.change},
                   {"precision", r.precision},
                   {"case", r.case_id},
-                  {"difficulty", number_text(r.difficulty)}});
+                  {"difficulty", plain_number(r.difficulty)}});
   return factors;
 }
 
 Factors factors_of(const PixelsRecord& r) {
   return {{"scene", r.scene},
           {"mode", r.mode},
-          {"offset", number_text(r.offset)},
+          {"offset", plain_number(r.offset)},
           {"core", r.core},
           {"method", r.method},
           {"precision", r.precision},

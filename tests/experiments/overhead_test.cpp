@@ -160,15 +160,16 @@ std::vector<Round> rounds(double direct, double ours, double spread) {
 }
 
 TEST(comparison, holds_within_ten_nanoseconds_or_two_percent) {
-  EXPECT_EQ(judge(compare(rounds(30, 38, 0))), Verdict::holds);      // 27 %, but 8 ns
-  EXPECT_EQ(judge(compare(rounds(5000, 5050, 0))), Verdict::holds);  // 50 ns, but 1 %
-  EXPECT_EQ(judge(compare(rounds(300, 100, 0))), Verdict::holds);    // cheaper
-  EXPECT_EQ(judge(compare(rounds(300, 330, 0.1))), Verdict::does_not_hold);
+  EXPECT_EQ(judge(compare(rounds(30, 38, 0))), OverheadVerdict::holds);      // 27 %, but 8 ns
+  EXPECT_EQ(judge(compare(rounds(5000, 5050, 0))), OverheadVerdict::holds);  // 50 ns, but 1 %
+  EXPECT_EQ(judge(compare(rounds(300, 100, 0))), OverheadVerdict::holds);    // cheaper
+  EXPECT_EQ(judge(compare(rounds(300, 330, 0.1))), OverheadVerdict::does_not_hold);
 }
 
 TEST(comparison, is_undecided_where_the_interval_contains_the_claim) {
-  EXPECT_EQ(judge(compare(rounds(100, 110, 1))), Verdict::undecided);
-  EXPECT_EQ(judge(compare({{100, 200}, {100, 200}})), Verdict::undecided) << "two rounds give no interval";
+  EXPECT_EQ(judge(compare(rounds(100, 110, 1))), OverheadVerdict::undecided);
+  EXPECT_EQ(judge(compare({{100, 200}, {100, 200}})), OverheadVerdict::undecided)
+      << "two rounds give no interval";
 }
 
 TEST(comparison, what_disturbs_both_ways_of_a_round_cancels) {

@@ -118,9 +118,9 @@ class morozov : public testing::Test {
 TEST_F(morozov, is_near_linear_to_six_threads) {
   Claim claim = on_threads(Rule::linear);
   claim.over = {"1", "6"};
-  EXPECT_EQ(judge_table(claim).verdict, Verdict::holds);
+  EXPECT_EQ(judge_table(claim).verdict, ClaimVerdict::holds);
   claim.over = {"1", "12"};
-  EXPECT_EQ(judge_table(claim).verdict, Verdict::fails) << "not to twelve";
+  EXPECT_EQ(judge_table(claim).verdict, ClaimVerdict::fails) << "not to twelve";
 }
 
 TEST_F(morozov, gains_a_quarter_by_hyper_threading_in_every_mode) {
@@ -129,7 +129,7 @@ TEST_F(morozov, gains_a_quarter_by_hyper_threading_in_every_mode) {
   claim.to = {{"threads", "cores"}};
   claim.expect[""] = {"1.24", "1.28"};
   const SideJudgement side = judge_table(claim);
-  EXPECT_EQ(side.verdict, Verdict::holds) << side.sentence;
+  EXPECT_EQ(side.verdict, ClaimVerdict::holds) << side.sentence;
   ASSERT_EQ(side.groups.size(), 4u);
   EXPECT_NEAR(side.groups[0].value.value(), 1.25, 0.005);
   EXPECT_NEAR(side.groups[1].value.value(), 1.27, 0.005);
@@ -139,12 +139,12 @@ TEST_F(morozov, peaks_at_twelve_threads_but_for_a_trifle_in_one_mode) {
   Claim claim = on_threads(Rule::argmax);
   claim.expected_values = {"pus"};
   const SideJudgement side = judge_table(claim);
-  EXPECT_EQ(side.verdict, Verdict::fails) << "hard prints 4.131 at 12 threads, and 4.134 at 22";
+  EXPECT_EQ(side.verdict, ClaimVerdict::fails) << "hard prints 4.131 at 12 threads, and 4.134 at 22";
   for (const GroupJudgement& group : side.groups) EXPECT_EQ(group.holds, group.group.at("mode") != "hard");
   claim.within = 0.01;
-  EXPECT_EQ(judge_table(claim).verdict, Verdict::holds);
+  EXPECT_EQ(judge_table(claim).verdict, ClaimVerdict::holds);
   claim.expected_values = {"cores"};
-  EXPECT_EQ(judge_table(claim).verdict, Verdict::fails);
+  EXPECT_EQ(judge_table(claim).verdict, ClaimVerdict::fails);
 }
 
 TEST_F(morozov, drops_at_seven_and_at_thirteen) {
@@ -153,10 +153,10 @@ TEST_F(morozov, drops_at_seven_and_at_thirteen) {
   for (const char* at : {"7", "13"}) {
     claim.at = at;
     const SideJudgement side = judge_table(claim);
-    EXPECT_EQ(side.verdict, Verdict::holds) << at << ": " << side.sentence;
+    EXPECT_EQ(side.verdict, ClaimVerdict::holds) << at << ": " << side.sentence;
   }
   claim.at = "6";
-  EXPECT_EQ(judge_table(claim).verdict, Verdict::fails);
+  EXPECT_EQ(judge_table(claim).verdict, ClaimVerdict::fails);
 }
 
 TEST_F(morozov, never_prints_the_speedup_of_his_conclusion) {
@@ -166,7 +166,7 @@ TEST_F(morozov, never_prints_the_speedup_of_his_conclusion) {
   claim.to = {{"threads", "1"}};
   claim.expect[""] = {"7.55", "7.65"};
   claim.holds = "any";
-  EXPECT_EQ(judge_table(claim).verdict, Verdict::fails) << "7.6 is in no column";
+  EXPECT_EQ(judge_table(claim).verdict, ClaimVerdict::fails) << "7.6 is in no column";
 }
 
 TEST(published_tables, our_speedups_of_his_printed_fps_are_his_own) {
