@@ -6,22 +6,10 @@ import functools
 import json
 import pathlib
 
+from study_charts.runs import RunError, read_json
+
 SCHEMA = 1  # of report.json, in results/report_data.h
 OVERHEAD = "task_sizes.csv"
-
-
-class RunError(Exception):
-    """A folder that no page can be made of. The message is a sentence that says which, and why."""
-
-
-def read_json(file, missing_is=None):
-    """What a file holds; `missing_is` where there is none, if it is given."""
-    if missing_is is not None and not file.is_file():
-        return missing_is
-    try:
-        return json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise RunError(f"{file}: cannot be read: {error}") from error
 
 
 def read_table(file):

@@ -9,7 +9,7 @@ SCHEMAS = {"accuracy": (3,), "kernel": (1, 2), "pixels": (2,), "atlas": (1,)}
 
 
 class RunError(Exception):
-    """A folder that is no run of the study. The message is a sentence that says which, and why."""
+    """A folder that cannot be drawn. The message is a sentence that says which, and why."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,6 +22,7 @@ class Run:
 
 
 def read_json(file, missing_is=None):
+    """What a file holds; `missing_is` where there is none, if it is given."""
     if missing_is is not None and not file.is_file():
         return missing_is
     try:
