@@ -30,8 +30,8 @@ struct Timing {
 [[nodiscard]] std::string why_no_kernel_timer();
 
 /// Times passes, each thread running one of `passes` as often as the others, after one that is not timed. Of
-/// one thread processor time is told, which other programs change least; of several wall time, in which one
-/// waits for the other. Not where `why_no_kernel_timer` says why.
+/// one thread processor time is told, which other programs change least; of several wall time, until the last
+/// has ended. Not where `why_no_kernel_timer` says why.
 [[nodiscard]] Timing time_passes(const std::vector<TimedPass>& passes, const TimingRequest& request);
 
 }  // namespace raysweep

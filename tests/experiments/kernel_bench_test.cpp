@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "experiments/intersection/protocols.h"
 #include "experiments/kernel_timer.h"
 
@@ -64,6 +67,18 @@ TEST_F(KernelBenchTimes, threads_share_the_tests_of_a_pass) {
     EXPECT_EQ(record.hit_rate, bench.measure(plan.cells.at(0), 0, 5).hit_rate);
     EXPECT_EQ(record.seconds.size(), 4u);
   }
+}
+
+// Without any upper limit: what sleeps takes at least so long.
+TEST_F(KernelBenchTimes, threads_are_timed_until_the_last_has_ended) {
+  const auto sleep = [](int milliseconds) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    return 1.0;
+  };
+  const Timing timing =
+      time_passes({[] { return 1.0; }, [&] { return sleep(10); }, [] { return 1.0; }}, {"x", 3, 0, 2, {}});
+  ASSERT_EQ(timing.seconds.size(), 3u);
+  for (const double seconds : timing.seconds) EXPECT_GE(seconds, 0.02) << "two passes of 10 ms";
 }
 
 }  // namespace
