@@ -53,6 +53,7 @@ ClaimScope claim_scope(const KernelConfig& config) {
   scope.factors["protocol"] = config.protocols;
   if (!config.variants.is_star) scope.factors["change"] = config.variants.changes;
   scope.factors["precision"] = names_of(config.precisions);
+  scope.factors["scheduler"] = config.schedulers;
   return scope;
 }
 

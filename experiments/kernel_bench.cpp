@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "experiments/intersection/replay.h"
-#include "experiments/kernel_timer.h"
+#include "experiments/kernel_timing.h"
+#include "experiments/scheduled_pass.h"
 #include "experiments/small_kernel_bench.h"
 
 namespace raysweep {
@@ -33,16 +34,16 @@ struct BenchTests {
 
 namespace {
 
-/// A kernel for each thread, with its share of the tests.
+/// A kernel for each of several shares of the tests.
 template <class T>
 class SharedPasses {
  public:
-  SharedPasses(const Kernel<T>& kernel, const Workload<T>& work, int threads) {
-    shares_.reserve(static_cast<size_t>(threads));  // passes point into it
-    for (int thread = 0; thread < threads; ++thread) {
-      if (threads > 1)
-        shares_.push_back(share_of(work, static_cast<uint32_t>(thread), static_cast<uint32_t>(threads)));
-      passes_.push_back(kernel.prepare(threads > 1 ? shares_.back() : work));
+  SharedPasses(const Kernel<T>& kernel, const Workload<T>& work, int shares) {
+    shares_.reserve(static_cast<size_t>(shares));  // passes point into it
+    for (int share = 0; share < shares; ++share) {
+      if (shares > 1)
+        shares_.push_back(share_of(work, static_cast<uint32_t>(share), static_cast<uint32_t>(shares)));
+      passes_.push_back(kernel.prepare(shares > 1 ? shares_.back() : work));
     }
   }
 
@@ -102,7 +103,15 @@ KernelRecord describe(const KernelPlan& plan, const KernelCell& cell, int round)
   r.parameter = tests.parameter;
   r.scene = tests.scene;
   r.threads = cell.threads;
+  r.scheduler = cell.scheduler;
   return r;
+}
+
+/// Each thread its share, or all shares by the cell's scheduler.
+Timing time_shares(const KernelCell& cell, const std::vector<TimedPass>& shares, const TimingRequest& request) {
+  if (cell.scheduler == own_shares) return time_passes(shares, request);
+  ScheduledPass pass(cell.scheduler, cell.threads, shares);
+  return time_passes({[&] { return pass.run(); }}, request);
 }
 
 /// Found once for each method.
@@ -121,7 +130,8 @@ template <class T>
 KernelRecord measure_in(const KernelPlan& plan, BenchTests& tests, const KernelCell& cell, int round,
                         uint64_t iterations) {
   const Kernel<T>& kernel = all_kernels<T>()[cell.kernel];
-  const SharedPasses<T> shared(kernel, tests.in<T>(), cell.threads);
+  const int shares = cell.scheduler == own_shares ? cell.threads : parts_a_thread * cell.threads;
+  const SharedPasses<T> shared(kernel, tests.in<T>(), shares);
   KernelRecord record = describe<T>(plan, cell, round);
   record.tests = tests.in<T>().test_count();
   const uint64_t hits = shared.hits(), of_base = base_hits<T>(tests, cell.precision, kernel.method);
@@ -129,10 +139,7 @@ KernelRecord measure_in(const KernelPlan& plan, BenchTests& tests, const KernelC
   record.reason = why_wrong(hits, of_base, tests.known);
   record.valid = record.reason.empty();
   if (!record.valid) return record;
-  const Timing timing =
-      time_passes(shared.timed(), {cell.key, plan.measure.samples, plan.measure.min_seconds, iterations, {}});
-  record.iterations = timing.iterations;
-  record.seconds = timing.seconds;
+  set_timing(record, time_shares(cell, shared.timed(), timing_request(plan, cell, iterations)));
   return record;
 }
 

@@ -12,6 +12,7 @@
 #include "experiments/intersection/protocols.h"
 #include "experiments/intersection/run_subjects.h"
 #include "experiments/read_claims.h"
+#include "experiments/scheduled_pass.h"
 #include "experiments/toml_reader.h"
 #include "tracer/scene/scenes.h"
 
@@ -66,7 +67,7 @@ class KernelParser : public TomlReader {
       return;
     }
     check_keys(sweep, "sweep.",
-               {"kernel", "method", "protocol", "hit_rate", "precision", "variants", "scene", "threads"});
+               {"kernel", "method", "protocol", "hit_rate", "precision", "variants", "scene", "scheduler", "threads"});
     config_.methods = names(sweep, "method", study_method_names(), "all");
     config_.protocols = names(sweep, "protocol", protocol_names(), "random");
     config_.scenes = names(sweep, "scene", scenes_with_triangles(), "chair-ball");
@@ -78,6 +79,9 @@ class KernelParser : public TomlReader {
                       changes_of(all_kernels<float>(), all_kernels<double>(), inapplicable_here()));
     read_hit_rates(sweep);
     read_threads(sweep);
+    std::vector<std::string_view> schedulers = kernel_schedulers();
+    schedulers.insert(schedulers.begin(), own_shares);
+    config_.schedulers = names(sweep, "scheduler", schedulers, own_shares);
   }
 
   /// Intersection alone, or others.
@@ -205,12 +209,14 @@ bool takes_part(const Kernel<T>& kernel, const KernelTests& tests, const KernelC
          kernel.variant.early_out == EarlyOut::no;
 }
 
-std::string key_of(std::string_view method, const std::string& change, Precision precision,
-                   const KernelTests& tests, int threads) {
-  std::string key = fmt::format("{}/{}/{}/{}", method, change, name_of(precision), tests.protocol->name);
+/// Of a cell without its key.
+std::string key_of(std::string_view method, const std::string& change, const KernelTests& tests,
+                   const KernelCell& cell) {
+  std::string key = fmt::format("{}/{}/{}/{}", method, change, name_of(cell.precision), tests.protocol->name);
   if (!std::isnan(tests.parameter)) key += fmt::format("/{:g}", tests.parameter);
   if (!tests.scene.empty()) key += '/' + tests.scene;
-  if (threads > 1) key += fmt::format("/{} threads", threads);
+  if (cell.scheduler != own_shares) key += '/' + cell.scheduler;
+  if (cell.threads > 1) key += fmt::format("/{} threads", cell.threads);
   return key;
 }
 
@@ -220,9 +226,12 @@ void add_cells(KernelPlan& plan, const KernelConfig& config, Precision precision
   for (const std::string& method : config.methods) {
     for (size_t i = 0; i < kernels.size(); ++i) {
       if (kernels[i].method != method || !takes_part(kernels[i], plan.tests[tests], config)) continue;
-      for (const int threads : config.threads) {
-        std::string key = key_of(method, kernels[i].change, precision, plan.tests[tests], threads);
-        plan.cells.push_back({precision, i, tests, threads, std::move(key), nullptr, {}});
+      for (const std::string& scheduler : config.schedulers) {
+        for (const int threads : config.threads) {
+          KernelCell cell{.precision = precision, .kernel = i, .tests = tests, .threads = threads, .scheduler = scheduler};
+          cell.key = key_of(method, kernels[i].change, plan.tests[tests], cell);
+          plan.cells.push_back(std::move(cell));
+        }
       }
     }
   }
@@ -249,10 +258,10 @@ KernelConfig parse_kernel_config(const std::string& text, const std::string& fil
 }
 
 KernelPlan make_plan(const KernelConfig& config) {
-  KernelPlan plan{config.experiment, config.title, config.measure, config.claims.sheet, {}, {}, {}};
+  KernelPlan plan{.experiment = config.experiment, .title = config.title, .measure = config.measure, .sheet = config.claims.sheet};
   for (const SmallKernelSweep& sweep : config.small) {
     for (SmallKernelCell& cell : cells_of(sweep, plan.left_out))
-      plan.cells.push_back({{}, 0, 0, 1, std::move(cell.key), sweep.kernel, std::move(cell.values)});
+      plan.cells.push_back({.key = std::move(cell.key), .small = sweep.kernel, .values = std::move(cell.values)});
   }
   for (const std::string& name : config.protocols) {
     for (const KernelTests& tests : tests_of(*find_protocol(name), config)) plan.tests.push_back(tests);
@@ -265,6 +274,7 @@ KernelPlan make_plan(const KernelConfig& config) {
         add_cells<double>(plan, config, precision, tests);
     }
   }
+  plan.wall_clock = std::ranges::any_of(plan.cells, [](const KernelCell& cell) { return cell.threads > 1 || cell.scheduler != own_shares; });
   std::vector<std::string_view> precisions;
   for (const Precision precision : config.precisions) precisions.push_back(name_of(precision));
   plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, precisions);

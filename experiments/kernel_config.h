@@ -10,6 +10,7 @@
 #include "experiments/intersection/subjects.h"
 #include "experiments/small_kernel_sweep.h"
 #include "experiments/variant_choice.h"
+#include "results/kernel_record.h"
 
 namespace raysweep {
 
@@ -32,6 +33,7 @@ struct KernelConfig {
   std::vector<double> hit_rates;
   std::vector<Precision> precisions;
   std::vector<int> threads;
+  std::vector<std::string> schedulers;  // names, or `own_shares`
   VariantChoice variants;
   KernelMeasure measure;
   ClaimsConfig claims;
@@ -59,7 +61,9 @@ struct KernelCell {
   size_t kernel = 0;  // index of `all_kernels` of that precision
   size_t tests = 0;   // index of the plan's
   int threads = 1;
-  std::string key;  // "wald/division=late/float/hit-rate/0.3"; with more than one thread "…/2 threads"
+  std::string scheduler = own_shares;
+  // "wald/division=late/float/hit-rate/0.3"; with a scheduler or more than one thread "…/tbb_auto/2 threads".
+  std::string key{};
   const SmallKernel* small = nullptr;
   FactorValues values{};
 };
@@ -68,9 +72,10 @@ struct KernelPlan {
   std::string experiment, title;
   KernelMeasure measure;
   ClaimSheet sheet;
-  std::vector<KernelTests> tests;
-  std::vector<KernelCell> cells;
-  std::vector<Inapplicable> left_out;  // variants that were asked for, which their methods do not have
+  std::vector<KernelTests> tests{};
+  std::vector<KernelCell> cells{};
+  bool wall_clock = false;             // for all cells, where any has several threads or a scheduler
+  std::vector<Inapplicable> left_out{};  // variants that were asked for, which their methods do not have
 };
 
 [[nodiscard]] KernelPlan make_plan(const KernelConfig& config);

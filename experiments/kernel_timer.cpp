@@ -14,7 +14,7 @@ namespace {
 /// Keeps the time of each repetition, and prints nothing.
 class Collector final : public benchmark::BenchmarkReporter {
  public:
-  /// `real`: what passes tell of themselves; else processor time.
+  /// `real`: wall time; else processor time.
   explicit Collector(bool real) : real_(real) {}
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -94,17 +94,21 @@ Timing time_passes(const std::vector<TimedPass>& passes, const TimingRequest& re
     spans.add(thread, begin, now_seconds());
   });
   one->Repetitions(request.samples)->Threads(static_cast<int>(passes.size()));
-  if (passes.size() > 1) one->UseRealTime();
-  if (request.before) one->UseManualTime();
+  const bool wall = request.wall_clock || request.before || passes.size() > 1;
+  if (request.before)
+    one->UseManualTime();
+  else if (wall)
+    one->UseRealTime();
   if (request.iterations > 0) {
     one->Iterations(static_cast<benchmark::IterationCount>(request.iterations));
   } else {
     one->MinTime(request.min_seconds);
   }
-  Collector collector(static_cast<bool>(request.before));
+  Collector collector(wall);
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::ClearRegisteredBenchmarks();
   if (passes.size() > 1) collector.timing.seconds = spans.seconds(collector.timing.seconds.size());
+  collector.timing.clock = wall ? "wall" : "processor";
   return collector.timing;
 }
 

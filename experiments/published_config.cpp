@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "results/record.h"
 
@@ -21,7 +22,7 @@ class PublishedParser {
   std::optional<PublishedTable> read(const toml::table& section) {
     reader_.check_keys(section, "published.",
                        {"file", "quantity", "rows", "row_values", "columns", "factors", "rename", "scale",
-                        "normalise", "machine"});
+                        "normalise", "machine", "beside"});
     PublishedTable table;
     table.file = reader_.text_or(section, "file", "");
     read_quantity(section, table);
@@ -32,23 +33,47 @@ class PublishedParser {
                    fmt::format("unknown normalise \"{}\"; possible: first_row, none", table.normalise));
     }
     if (const auto* const machine = section.get("machine")) read_machine(*machine, table);
-    const PublishedLayout layout = layout_of(section);
+    PublishedLayout layout = layout_of(section);
     table.rows = layout.rows;
     if (table.file.empty() || layout.rows.empty()) {
       reader_.fail(section,
                    "[published] needs file and rows: file = \"published/NAME.csv\", rows = \"threads\"");
       return std::nullopt;
     }
-    try {
-      table.numbers = read_published(find(table.file), layout, table.quantity);
-    } catch (const RecordError& error) {
-      reader_.fail(section, error.what());
-      return std::nullopt;
-    }
+    if (!add_numbers(section, table.file, layout, table)) return std::nullopt;
+    const auto* const beside = section.get("beside");
+    if (beside && !add_beside(*beside, layout, table)) return std::nullopt;
     return table;
   }
 
  private:
+  /// False where something is wrong, which has been told.
+  bool add_numbers(const toml::node& node, const std::string& file, const PublishedLayout& layout,
+                   PublishedTable& table) {
+    try {
+      for (PrintedNumber& number : read_published(find(file), layout, table.quantity))
+        table.numbers.push_back(std::move(number));
+      return true;
+    } catch (const RecordError& error) {
+      reader_.fail(node, error.what());
+      return false;
+    }
+  }
+
+  /// Another table of the same layout, whose numbers differ in `factors`.
+  bool add_beside(const toml::node& node, PublishedLayout& layout, PublishedTable& table) {
+    const toml::table* const beside = node.as_table();
+    const std::string file = beside ? reader_.text_or(*beside, "file", "") : "";
+    if (file.empty() || !beside->contains("factors")) {
+      reader_.fail(node, "published.beside must be a table: { file = \"published/NAME.csv\", factors = { … } }");
+      return false;
+    }
+    reader_.check_keys(*beside, "published.beside.", {"file", "factors"});
+    layout.factors = own_factors(*beside->get("factors"));
+    table.file += " and " + file;
+    return add_numbers(node, file, layout, table);
+  }
+
   void read_quantity(const toml::table& section, PublishedTable& table) {
     table.quantity = reader_.text_or(section, "quantity", scope_.quantities.front());
     if (std::ranges::find(scope_.quantities, table.quantity) == scope_.quantities.end()) {

@@ -1,7 +1,7 @@
 #include "experiments/small_kernel_bench.h"
 
 #include "experiments/intersection/compiler_name.h"
-#include "experiments/kernel_timer.h"
+#include "experiments/kernel_timing.h"
 
 namespace raysweep {
 
@@ -35,14 +35,12 @@ KernelRecord measure_small_kernel(const KernelPlan& plan, const KernelCell& cell
   record.valid = record.reason.empty();
   if (!record.valid) return record;
   record.ticks = pass->ticks();
-  TimingRequest request{cell.key, plan.measure.samples, plan.measure.min_seconds, iterations, {}};
+  TimingRequest request = timing_request(plan, cell, iterations);
   if (pass->is_disturbed()) {
     request.iterations = disturbed_passes;
     request.before = [&] { pass->disturb(); };
   }
-  const Timing timing = time_passes({[&] { return pass->run(); }}, request);
-  record.iterations = timing.iterations;
-  record.seconds = timing.seconds;
+  set_timing(record, time_passes({[&] { return pass->run(); }}, request));
   return record;
 }
 

@@ -38,10 +38,12 @@ void add_ticks(nlohmann::json& json, const KernelRecord& record) {
   json["ticks"] = {{"min", t.min}, {"avg", t.avg}, {"max", t.max}, {"sum", t.sum}};
 }
 
-void expect_schema(const nlohmann::json& json) {
+/// The schema, which can be read.
+int expect_schema(const nlohmann::json& json) {
   const int schema = json.at("schema").get<int>();
-  // Schema 1 is what 2 is of intersection.
-  expect_record(json, "kernel", schema == oldest_kernel_schema ? schema : kernel_schema);
+  const bool is_older = schema >= oldest_kernel_schema && schema < kernel_schema;
+  expect_record(json, "kernel", is_older ? schema : kernel_schema);
+  return schema;
 }
 
 }  // namespace
@@ -52,10 +54,12 @@ nlohmann::json to_json(const KernelRecord& record) {
   for_each_common_field(write);
   if (record.is_intersection()) {
     for_each_intersection_field(write);
+    json["scheduler"] = record.scheduler;
     json["parameter"] = std::isnan(record.parameter) ? nlohmann::json() : nlohmann::json(record.parameter);
   } else {
     json["variant"] = record.factors;
   }
+  json["clock"] = record.clock;
   add_ticks(json, record);
   return json;
 }
@@ -63,17 +67,20 @@ nlohmann::json to_json(const KernelRecord& record) {
 std::string to_line(const KernelRecord& record) { return record_line(to_json(record)); }
 
 KernelRecord kernel_record_from_json(const nlohmann::json& json) {
-  expect_schema(json);
+  // Schema 1 is what 2 is of intersection; neither has what 3 adds.
+  const bool has_all = expect_schema(json) == kernel_schema;
   KernelRecord record;
   const auto read = [&](const char* name, auto field) { json.at(name).get_to(record.*field); };
   for_each_common_field(read);
   if (record.is_intersection()) {
     for_each_intersection_field(read);
+    if (has_all) json.at("scheduler").get_to(record.scheduler);
     if (const auto& parameter = json.at("parameter"); !parameter.is_null())
       parameter.get_to(record.parameter);
   } else {
     json.at("variant").get_to(record.factors);
   }
+  if (has_all) json.at("clock").get_to(record.clock);
   if (const auto ticks = json.find("ticks"); ticks != json.end())
     record.ticks = {ticks->at("min"), ticks->at("avg"), ticks->at("max"), ticks->at("sum")};
   return record;

@@ -58,6 +58,7 @@ std::string tests_of(const KernelRecord& r) {
   std::string text = r.protocol;
   if (!std::isnan(r.parameter)) text += fmt::format(" {:g}", r.parameter);
   if (!r.scene.empty()) text += ' ' + r.scene;
+  if (r.scheduler != own_shares) text += ", " + r.scheduler;
   if (r.threads != 1) text += fmt::format(", {} threads", r.threads);
   return text;
 }

@@ -39,7 +39,8 @@ Factors factors_of(const KernelRecord& r) {
                   {"protocol", r.protocol},
                   {"parameter", plain_number(r.parameter)},
                   {"scene", r.scene.empty() ? "none" : r.scene},
-                  {"threads", std::to_string(r.threads)}});
+                  {"threads", std::to_string(r.threads)},
+                  {"scheduler", r.scheduler}});
   return factors;
 }
 

@@ -23,8 +23,10 @@ std::vector<std::string> tests_of_base(const KernelResults& results, const std::
   return list;
 }
 
-/// Protocol and threads of lists of tests that differ by their hit rate, which is told between 0 and 1.
-std::string family_of(const KernelRecord& r) { return fmt::format("{}/{}", r.protocol, r.threads); }
+/// What lists of tests share that differ by their hit rate, which is told between 0 and 1.
+std::string family_of(const KernelRecord& r) {
+  return fmt::format("{}/{}/{}", r.protocol, r.scheduler, r.threads);
+}
 
 /// Families with three lists of tests or more: they are a curve.
 std::set<std::string> curves_of(const KernelResults& results) {

@@ -8,6 +8,7 @@
 
 #include "experiments/intersection/protocols.h"
 #include "experiments/kernel_timer.h"
+#include "experiments/scheduled_pass.h"
 
 namespace raysweep {
 namespace {
@@ -69,6 +70,46 @@ TEST_F(KernelBenchTimes, threads_share_the_tests_of_a_pass) {
   }
 }
 
+TEST_F(KernelBenchTimes, a_scheduler_shares_the_tests_of_a_pass) {
+  const KernelPlan plan = tiny_plan(
+      "protocol = \"clusters\"\nthreads = [1, 3]\nscheduler = [\"shares\", \"thread_dynamic\"]\n");
+  KernelBench bench(plan);
+  for (const KernelCell& cell : plan.cells) {
+    const KernelRecord record = bench.measure(cell, 0, 5);
+    EXPECT_TRUE(record.valid) << record.cell << ": " << record.reason;
+    EXPECT_EQ(record.scheduler, cell.scheduler);
+    EXPECT_EQ(record.threads, cell.threads);
+    EXPECT_EQ(record.clock, "wall") << "the same one for all cells: " << record.cell;
+    EXPECT_EQ(record.seconds.size(), 4u);
+  }
+}
+
+TEST_F(KernelBenchTimes, one_thread_is_timed_by_the_processors_clock_where_no_cell_has_more) {
+  const KernelPlan plan = tiny_plan("protocol = \"random\"\n");
+  EXPECT_EQ(KernelBench(plan).measure(plan.cells.at(0), 0, 5).clock, "processor");
+}
+
+TEST(scheduled_pass, runs_each_part_once_and_tells_their_sum) {
+  for (const std::string_view scheduler : kernel_schedulers()) {
+    std::vector<int> runs(10);
+    std::vector<TimedPass> parts;
+    for (int i = 0; i < 10; ++i) {
+      parts.emplace_back([&runs, i] {
+        ++runs[i];
+        return static_cast<double>(i);
+      });
+    }
+    ScheduledPass pass(std::string(scheduler), 3, parts);
+    EXPECT_EQ(pass.run(), 45) << scheduler;
+    EXPECT_EQ(pass.run(), 45) << scheduler;
+    EXPECT_EQ(runs, std::vector<int>(10, 2)) << scheduler;
+  }
+}
+
+TEST(scheduled_pass, is_never_on_openmp_whose_threads_spin_on) {
+  for (const std::string_view scheduler : kernel_schedulers()) EXPECT_FALSE(scheduler.starts_with("omp")) << scheduler;
+}
+
 // Without any upper limit: what sleeps takes at least so long.
 TEST_F(KernelBenchTimes, threads_are_timed_until_the_last_has_ended) {
   const auto sleep = [](int milliseconds) {
@@ -76,7 +117,7 @@ TEST_F(KernelBenchTimes, threads_are_timed_until_the_last_has_ended) {
     return 1.0;
   };
   const Timing timing =
-      time_passes({[] { return 1.0; }, [&] { return sleep(10); }, [] { return 1.0; }}, {"x", 3, 0, 2, {}});
+      time_passes({[] { return 1.0; }, [&] { return sleep(10); }, [] { return 1.0; }}, {"x", 3, 0, 2});
   ASSERT_EQ(timing.seconds.size(), 3u);
   for (const double seconds : timing.seconds) EXPECT_GE(seconds, 0.02) << "two passes of 10 ms";
 }

@@ -49,6 +49,15 @@ TEST(kernel_config, times_all_methods_on_random_tests_unless_told_otherwise) {
   EXPECT_EQ(config.measure.rounds, 9);
 }
 
+TEST(kernel_config, schedulers_are_those_that_leave_no_thread_spinning) {
+  EXPECT_EQ(parse(head).schedulers, (std::vector<std::string>{"shares"}));
+  EXPECT_EQ(parse(head + "[sweep]\nscheduler = [\"thread_dynamic\", \"shares\"]\n").schedulers,
+            (std::vector<std::string>{"thread_dynamic", "shares"}));
+  const std::string refused = errors(head + "[sweep]\nscheduler = \"omp_static\"\n");
+  EXPECT_TRUE(refused.starts_with("a.toml:4: unknown scheduler \"omp_static\"; built here: shares, thread_static, "))
+      << refused;
+}
+
 TEST(kernel_config, takes_lists_single_values_and_all_each_once) {
   const KernelConfig config = parse(
       head +
@@ -89,7 +98,7 @@ TEST(kernel_config, each_bad_value_is_told_by_file_line_and_possible_values_all_
       "a.toml:4: unknown kernel \"expressions\"; built here: intersection, expression_templates, "
       "virtual_calls, branches, dot_products\n"
       "a.toml:10: unknown key \"sweep.variant\"; possible: kernel, method, protocol, hit_rate, precision, "
-      "variants, scene, threads\n"
+      "variants, scene, scheduler, threads\n"
       "a.toml:9: method is an empty list; name one value at least\n"
       "a.toml:5: unknown protocol \"rnadom\"; built here: random, hit-rate, worst-case, packet-common, "
       "packet-general, replay, clusters, all\n"
@@ -157,6 +166,7 @@ TEST(kernel_plan, names_each_cell_once) {
                           "wald/base/float/random/2 threads", "wald/base/float/replay/chair-ball",
                           "wald/output=hit/float/clusters/64", "wald/base/float/worst-case/1"})
     EXPECT_TRUE(keys.contains(key)) << key;
+  EXPECT_TRUE(plan.wall_clock);
   EXPECT_EQ(to_json(plan)["cells"].size(), plan.cells.size());
   EXPECT_EQ(record_count(plan), 9 * plan.cells.size());
 }

@@ -197,6 +197,22 @@ TEST(published_of_configs, is_found_in_the_sources_and_read_whole) {
   EXPECT_EQ(plan.at("question"), "Does it?");
 }
 
+TEST(published_of_configs, may_be_two_tables_of_one_form) {
+  const std::string both =
+      head +
+      "[published]\nfile = \"published/morozov2011_table4_tbb_fps.csv\"\nrows = \"threads\"\ncolumns = "
+      "\"mode\"\nfactors = { scheduler = \"tbb_auto\" }\nbeside = { file = "
+      "\"published/morozov2011_table3_openmp_fps.csv\", factors = { scheduler = \"omp_static\" } }\n";
+  const auto table = parse(both).claims.sheet.published;
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->numbers.size(), 192u);
+  EXPECT_EQ(table->numbers[0].factors.at("scheduler"), "tbb_auto");
+  EXPECT_EQ(table->numbers[96].factors,
+            (Factors{{"mode", "low"}, {"scheduler", "omp_static"}, {"threads", "1"}}));
+  EXPECT_EQ(table->file,
+            "published/morozov2011_table4_tbb_fps.csv and published/morozov2011_table3_openmp_fps.csv");
+}
+
 TEST(published_of_configs, that_is_wrong_is_told) {
   EXPECT_EQ(errors("[published]\nfile = \"no.csv\"\nrows = \"threads\"\n"),
             "a.toml:8: no.csv: cannot be opened");
@@ -216,6 +232,12 @@ TEST(published_of_configs, that_is_wrong_is_told) {
             "a.toml:12: published.row_values must hold {}, which stands for what is printed");
   EXPECT_EQ(errors(right + "columns = \"mode\"\nmachine = 6\n"),
             "a.toml:12: published.machine must be a table: { cores = 6, pus = 12 }");
+  const std::string beside =
+      "a.toml:12: published.beside must be a table: { file = \"published/NAME.csv\", factors = { … } }";
+  EXPECT_EQ(errors(right + "columns = \"mode\"\nbeside = \"a.csv\"\n"), beside);
+  EXPECT_EQ(errors(right + "columns = \"mode\"\nbeside = { file = \"a.csv\" }\n"), beside);
+  EXPECT_EQ(errors(right + "columns = \"mode\"\nbeside = { file = \"no.csv\", factors = { pin = \"none\" } }\n"),
+            "a.toml:12: no.csv: cannot be opened");
 }
 
 TEST(quick_of_configs, lists_what_set_would_change) {

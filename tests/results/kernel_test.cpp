@@ -58,11 +58,15 @@ TEST(kernel_record, is_read_back_as_it_was_written) {
   record.valid = false;
   record.reason = "why";
   record.threads = 2;
+  record.scheduler = "tbb_auto";
+  record.clock = "wall";
   const KernelRecord back = kernel_record_from_json(nlohmann::json::parse(to_line(record)));
   EXPECT_EQ(to_line(back), to_line(record));
   EXPECT_EQ(back.seconds, record.seconds);
   EXPECT_EQ(back.round, 3);
   EXPECT_EQ(back.reason, "why");
+  EXPECT_EQ(back.scheduler, "tbb_auto");
+  EXPECT_EQ(back.clock, "wall");
 }
 
 TEST(kernel_record, a_protocol_without_a_parameter_has_null_there) {
@@ -73,8 +77,12 @@ TEST(kernel_record, a_protocol_without_a_parameter_has_null_there) {
   EXPECT_TRUE(std::isnan(kernel_record_from_json(json).parameter));
 }
 
-TEST(kernel_record, of_schema_1_is_still_read) {
+TEST(kernel_record, of_schemas_1_and_2_is_still_read) {
   nlohmann::json json = to_json(made_up("wald", "base", 4, 2));
+  json.erase("scheduler");
+  json.erase("clock");
+  json["schema"] = 2;
+  EXPECT_EQ(kernel_record_from_json(json).clock, "") << "it was not told";
   json["schema"] = 1;
   const KernelRecord record = kernel_record_from_json(json);
   EXPECT_EQ(record.method, "wald");
@@ -123,7 +131,7 @@ TEST(kernel_record, of_other_kernels_has_their_factors_and_ticks_and_nothing_of_
 
 TEST(kernel_record, others_are_refused) {
   nlohmann::json json = to_json(made_up("wald", "base", 0, 2));
-  json["schema"] = 3;
+  json["schema"] = 4;
   EXPECT_THROW(static_cast<void>(kernel_record_from_json(json)), RecordError);
   json["schema"] = 2;
   json["kind"] = "accuracy";

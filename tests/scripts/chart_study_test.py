@@ -75,7 +75,7 @@ class Records(unittest.TestCase):
             ('{"schema":1}\n', ":1: is no record"),
             ('{"kind":"atlas","schema":2}\n', ":1: atlas of schema 2; these charts read schema 1"),
             ('{"kind":"accuracy","schema":1}\n', ":1: accuracy of schema 1; these charts read schema 3"),
-            ('{"kind":"kernel","schema":3}\n', ":1: kernel of schema 3; these charts read schema 1 and 2"),
+            ('{"kind":"kernel","schema":4}\n', ":1: kernel of schema 4; these charts read schema 1, 2, 3"),
             ('{"kind":"kernel","schema":2,"kernel":"branches"}\n', ':1: kernel "branches"; these charts are of intersection'),
             ('{"kind":"soup","schema":1}\n', 'unknown kind "soup"; these charts read: accuracy'),
             ('{"kind":"atlas","schema":1}\n{"kind":"kernel","schema":1}\n', "2 kinds: atlas, kernel"),

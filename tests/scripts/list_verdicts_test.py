@@ -21,7 +21,7 @@ class ListVerdicts(unittest.TestCase):
     def run_of(self, experiment, claims):
         folder = pathlib.Path(self.folder.name) / experiment
         folder.mkdir()
-        report = {"schema": 1, "experiment": experiment, "claims": claims}
+        report = {"schema": 1, "experiment": experiment, "title": f"about {experiment}", "claims": claims}
         (folder / "report.json").write_text(json.dumps(report), encoding="utf-8")
         return folder
 
@@ -38,7 +38,16 @@ class ListVerdicts(unittest.TestCase):
         self.assertEqual(cells[2:5], [["B", "x", "holds in the source", "reproduced"],
                                       ["A", "y", "not in a table", "not reproduced"],
                                       ["A", "z", "not in a table", "reproduced"]])
-        self.assertIn("3 claims: 1 not reproduced, 2 reproduced", result.stdout)
+        self.assertIn("3 claims: 2 reproduced, 1 not reproduced", result.stdout)
+
+    def test_counts_have_a_line_for_each_experiment_and_no_column_of_a_verdict_that_nobody_got(self):
+        first = self.run_of("B", [claim("x", "-", "reproduced"), claim("y", "-", "cannot be tested here"), claim("z", "-", "reproduced")])
+        second = self.run_of("A", [claim("x", "-", "cannot be tested here")])
+        lines = self.listed("--counts", first, second).stdout.splitlines()
+        cells = [[cell.strip() for cell in line.split("  ") if cell.strip()] for line in lines]
+        self.assertEqual(cells[0], ["experiment", "about", "reproduced", "cannot be tested here"])
+        self.assertEqual(cells[2:4], [["B", "about B", "2", "1"], ["A", "about A", "1"]])
+        self.assertEqual(lines[-1], "4 claims: 2 reproduced, 2 cannot be tested here")
 
     def test_a_folder_without_a_report_is_told_with_what_writes_it(self):
         folder = pathlib.Path(self.folder.name)

@@ -38,11 +38,11 @@ def accuracy_record(**members):
 def kernel_record(**members):
     """A round of 5 ns a test; `members` replaces what a test is about."""
     record = {
-        "schema": 2, "kind": "kernel", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
+        "schema": 3, "kind": "kernel", "experiment": "made-up", "cell": "", "launch": 0, "round": 0, "seed": 1, "valid": True,
         "reason": "", "kernel": "intersection", "method": "wald", "change": "base", "variant": VARIANT, "precision": "float",
         "rays_at_once": 1, "triangles_at_once": 1, "layout": "aos", "contraction": "off", "compiler": "gcc 12.2.0",
-        "isa": "scalar", "bytes": 48, "protocol": "random", "parameter": None, "scene": "", "threads": 1, "hit_rate": 0.1,
-        "tests": 1000, "iterations": 10, "seconds": [5e-5],
+        "isa": "scalar", "bytes": 48, "protocol": "random", "parameter": None, "scene": "", "threads": 1, "scheduler": "shares", "hit_rate": 0.1,
+        "tests": 1000, "iterations": 10, "seconds": [5e-5], "clock": "processor",
     }  # fmt: skip
     unknown = set(members) - set(record)
     assert not unknown, unknown
