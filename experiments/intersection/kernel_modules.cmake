@@ -6,6 +6,14 @@ if(RAYSWEEP_SANITIZE)
   target_compile_definitions(intersection PRIVATE RAYSWEEP_CALLS_STAY)
 endif()
 
+# They take as long to compile as a third of the rest.
+option(RAYSWEEP_KERNEL_MODULES "Build the study's formulas in lanes, with contraction and by the other compiler" ON)
+if(NOT RAYSWEEP_KERNEL_MODULES)
+  file(GLOB left_behind ${RAYSWEEP_MODULE_DIR}/kernels_*.so)
+  file(REMOVE ${left_behind})
+  return()
+endif()
+
 # Linked last, since what is linked comes behind a target's own options: it takes back what all else is compiled with.
 add_library(raysweep_contraction INTERFACE)
 target_compile_options(raysweep_contraction INTERFACE -ffp-contract=fast)

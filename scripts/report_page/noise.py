@@ -21,6 +21,18 @@ def noise_text(run):
     return "not told" if floor is None else f"{short(math.expm1(floor) * 100, 2)} %"
 
 
+def measured_on(runs):
+    """A sentence on one machine's runs: what it is, and how much of a difference there means nothing."""
+    machine = runs[0].machine
+    where = f"{machine.get('host') or 'an unnamed machine'}: {machine['cpu']}, {machine['cores']} cores, {machine['pus']} processors" if machine.get("cpu") else "an unknown machine"
+    floors = sorted((run.report["noise_floor"], run.experiment) for run in runs if run.report["noise_floor"] is not None)
+    if not floors:
+        return f"Measured on {where}; its noise was not."
+    percent = [f"{short(math.expm1(floor) * 100, 2)} %" for floor, _ in (floors[0], floors[-1])]
+    span = percent[0] if len(floors) == 1 else f"{percent[0]} ({floors[0][1]}) to {percent[1]} ({floors[-1][1]})"
+    return f"Measured on {where}. The same cell, launched twice, differed by {span}: smaller differences of frames a second mean nothing."
+
+
 def kind_of_note(note):
     """A note without its numbers, so that alike ones are counted together."""
     return NUMBER.sub("…", note.split(":")[0].split("(")[0].strip())

@@ -8,7 +8,7 @@ import jinja2
 from report_page import style
 from report_page.chart import estimate_text
 from report_page.headline import anchors_of, answers_of, counted, counted_in_source
-from report_page.noise import load_text, noise_text, notes_of, warnings_of
+from report_page.noise import load_text, measured_on, noise_text, notes_of, warnings_of
 from report_page.size import PAGE_BYTES, embedded, fitting_specs, fitting_tables
 from study_charts.colours import variables
 from study_charts.machines import grouped
@@ -106,6 +106,10 @@ class Machine:
     rows: list  # (name, text)
     warnings: list
 
+    @property
+    def sentence(self):
+        return measured_on([s.run for s in self.sections])
+
 
 def machines_of(sections):
     """Each machine and build once, in the order of the sections. Its load is each run's own."""
@@ -128,8 +132,18 @@ def page(runs, charts, script, missing):
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
-    return environment.get_template(TEMPLATE).render(
-        answers=answers, counted=counted(answers), in_source=counted_in_source(answers), machines=machines_of(sections),
-        sections=fitting_tables(sections, PAGE_BYTES - taken - 60_000 - 2_000 * len(answers)), missing=missing, slimmed=slimmed, given=given, script=script,
-        light=variables(dark=False), dark=variables(dark=True),
-    )  # fmt: skip
+
+    def rendered(place):
+        return environment.get_template(TEMPLATE).render(
+            answers=answers, counted=counted(answers), in_source=counted_in_source(answers), machines=machines_of(sections),
+            sections=fitting_tables(sections, place), missing=missing, slimmed=slimmed, given=given, script=script,
+            light=variables(dark=False), dark=variables(dark=True),
+        )  # fmt: skip
+
+    place = PAGE_BYTES - taken
+    text = rendered(place)
+    # What else there is to say takes place, too: as much as the tables must leave.
+    while (excess := len(text.encode()) - PAGE_BYTES) > 0 and place > 0:
+        place -= excess
+        text = rendered(place)
+    return text

@@ -6,6 +6,7 @@ import random
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = HERE.parent.parent / "scripts"
@@ -270,6 +271,13 @@ class Answers(WithFolder):
         self.assertEqual(noise.noise_text(self.run_of("x", "picture", [], noise_floor=0.0953)), "10 %")
         self.assertEqual(noise.noise_text(self.run_of("y", "picture", [], noise_floor=None)), "not told")
 
+    def test_the_page_begins_with_the_machine_and_its_least_and_largest_noise(self):
+        runs = [self.run_of(n, "picture", [], noise_floor=f) for n, f in (("a", 0.0953), ("b", None), ("c", 0.01))]
+        self.assertIn("differed by 1 % (c) to 10 % (a):", noise.measured_on(runs))
+        self.assertIn("differed by 10 %:", noise.measured_on(runs[:1]))
+        self.assertTrue(noise.measured_on(runs[1:2]).endswith("; its noise was not."))
+        self.assertIn(noise.measured_on(runs), page.page(runs, [[], [], []], "", []))
+
 
 class Page(WithFolder):
     def test_tables_that_do_not_fit_are_named_and_smaller_ones_stay(self):
@@ -288,6 +296,17 @@ class Page(WithFolder):
         self.assertEqual((kept["few"], kept["none"]), (specs["few"], specs["none"]))
         self.assertEqual([d["values"] for d in kept["many"]["data"]], [[1, 2], []])
         self.assertEqual(size.fitting_specs(specs, 100_000), (specs, []))
+
+    def test_the_page_stays_small_whatever_else_it_has_to_say(self):
+        long = made.table() | {"name": "long", "rows": [["x" * 100, "1"]] * 1000}
+        claims = [dict(c, id=f"{c['id']}{i}", why="y" * 3000) for i in range(40) for c in made.claims()]
+        run = self.run_of("x", "picture", [], tables=[long], claims=claims)
+        small = page.page([run], [[]], "", [])
+        self.assertIn("x" * 100, small)
+        with unittest.mock.patch.object(page, "PAGE_BYTES", len(small.encode()) - 1000):
+            smaller = page.page([run], [[]], "", [])
+        self.assertNotIn("x" * 100, smaller)
+        self.assertIn("x/tables/long.csv", smaller)
 
     def test_machines_that_differ_in_load_alone_are_one(self):
         runs = []
