@@ -108,7 +108,8 @@ KernelRecord describe(const KernelPlan& plan, const KernelCell& cell, int round)
 }
 
 /// Each thread its share, or all shares by the cell's scheduler.
-Timing time_shares(const KernelCell& cell, const std::vector<TimedPass>& shares, const TimingRequest& request) {
+Timing time_shares(const KernelCell& cell, const std::vector<TimedPass>& shares,
+                   const TimingRequest& request) {
   if (cell.scheduler == own_shares) return time_passes(shares, request);
   ScheduledPass pass(cell.scheduler, cell.threads, shares);
   return time_passes({[&] { return pass.run(); }}, request);

@@ -67,7 +67,8 @@ class KernelParser : public TomlReader {
       return;
     }
     check_keys(sweep, "sweep.",
-               {"kernel", "method", "protocol", "hit_rate", "precision", "variants", "scene", "scheduler", "threads"});
+               {"kernel", "method", "protocol", "hit_rate", "precision", "variants", "scene", "scheduler",
+                "threads"});
     config_.methods = names(sweep, "method", study_method_names(), "all");
     config_.protocols = names(sweep, "protocol", protocol_names(), "random");
     config_.scenes = names(sweep, "scene", scenes_with_triangles(), "chair-ball");
@@ -228,7 +229,11 @@ void add_cells(KernelPlan& plan, const KernelConfig& config, Precision precision
       if (kernels[i].method != method || !takes_part(kernels[i], plan.tests[tests], config)) continue;
       for (const std::string& scheduler : config.schedulers) {
         for (const int threads : config.threads) {
-          KernelCell cell{.precision = precision, .kernel = i, .tests = tests, .threads = threads, .scheduler = scheduler};
+          KernelCell cell{.precision = precision,
+                          .kernel = i,
+                          .tests = tests,
+                          .threads = threads,
+                          .scheduler = scheduler};
           cell.key = key_of(method, kernels[i].change, plan.tests[tests], cell);
           plan.cells.push_back(std::move(cell));
         }
@@ -258,10 +263,14 @@ KernelConfig parse_kernel_config(const std::string& text, const std::string& fil
 }
 
 KernelPlan make_plan(const KernelConfig& config) {
-  KernelPlan plan{.experiment = config.experiment, .title = config.title, .measure = config.measure, .sheet = config.claims.sheet};
+  KernelPlan plan{.experiment = config.experiment,
+                  .title = config.title,
+                  .measure = config.measure,
+                  .sheet = config.claims.sheet};
   for (const SmallKernelSweep& sweep : config.small) {
     for (SmallKernelCell& cell : cells_of(sweep, plan.left_out))
-      plan.cells.push_back({.key = std::move(cell.key), .small = sweep.kernel, .values = std::move(cell.values)});
+      plan.cells.push_back(
+          {.key = std::move(cell.key), .small = sweep.kernel, .values = std::move(cell.values)});
   }
   for (const std::string& name : config.protocols) {
     for (const KernelTests& tests : tests_of(*find_protocol(name), config)) plan.tests.push_back(tests);
@@ -274,7 +283,8 @@ KernelPlan make_plan(const KernelConfig& config) {
         add_cells<double>(plan, config, precision, tests);
     }
   }
-  plan.wall_clock = std::ranges::any_of(plan.cells, [](const KernelCell& cell) { return cell.threads > 1 || cell.scheduler != own_shares; });
+  plan.wall_clock = std::ranges::any_of(
+      plan.cells, [](const KernelCell& cell) { return cell.threads > 1 || cell.scheduler != own_shares; });
   std::vector<std::string_view> precisions;
   for (const Precision precision : config.precisions) precisions.push_back(name_of(precision));
   plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, precisions);

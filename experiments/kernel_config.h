@@ -74,7 +74,7 @@ struct KernelPlan {
   ClaimSheet sheet;
   std::vector<KernelTests> tests{};
   std::vector<KernelCell> cells{};
-  bool wall_clock = false;             // for all cells, where any has several threads or a scheduler
+  bool wall_clock = false;               // for all cells, where any has several threads or a scheduler
   std::vector<Inapplicable> left_out{};  // variants that were asked for, which their methods do not have
 };
 

@@ -65,7 +65,8 @@ class PublishedParser {
     const toml::table* const beside = node.as_table();
     const std::string file = beside ? reader_.text_or(*beside, "file", "") : "";
     if (file.empty() || !beside->contains("factors")) {
-      reader_.fail(node, "published.beside must be a table: { file = \"published/NAME.csv\", factors = { … } }");
+      reader_.fail(node,
+                   "published.beside must be a table: { file = \"published/NAME.csv\", factors = { … } }");
       return false;
     }
     reader_.check_keys(*beside, "published.beside.", {"file", "factors"});

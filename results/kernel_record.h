@@ -15,8 +15,8 @@
 
 namespace raysweep {
 
-/// Older schemas are still read. 2 adds kernels other than intersection, their factors and ticks; 3 `scheduler` and
-/// `clock`.
+/// Older schemas are still read. 2 adds kernels other than intersection, their factors and ticks; 3
+/// `scheduler` and `clock`.
 inline constexpr int kernel_schema = 3, oldest_kernel_schema = 1;
 
 /// In the place of a scheduler's name: each thread has its own share of the tests, and nothing is handed out.
@@ -53,12 +53,12 @@ struct KernelRecord {
   std::string scene;                                            // empty where the protocol has none
   int threads = 1;
   std::string scheduler = own_shares;  // of the tests among threads
-  double hit_rate = 0;      // of the tests, as this kernel found it
-  uint64_t tests = 0;       // a pass; operations of other kernels
-  uint64_t iterations = 0;  // passes a sample
-  std::vector<double> seconds{};  // a sample each, of `iterations` passes; none if not valid
-  std::string clock;              // of `seconds`: "processor" or "wall"; empty where it is not told
-  std::optional<TickRecord> ticks{};  // of the kernels that time every operation
+  double hit_rate = 0;                 // of the tests, as this kernel found it
+  uint64_t tests = 0;                  // a pass; operations of other kernels
+  uint64_t iterations = 0;             // passes a sample
+  std::vector<double> seconds{};       // a sample each, of `iterations` passes; none if not valid
+  std::string clock;                   // of `seconds`: "processor" or "wall"; empty where it is not told
+  std::optional<TickRecord> ticks{};   // of the kernels that time every operation
 
   [[nodiscard]] bool is_intersection() const { return kernel == "intersection"; }
 };

@@ -19,7 +19,8 @@ namespace raysweep {
 /// Over rounds. Not for none.
 [[nodiscard]] Estimate median_of(const std::map<int, double>& by_round);
 
-/// "random", "hit-rate 0.3", "replay chair-ball", "clusters 64, tbb_auto, 2 threads": what was tested, and by whom.
+/// "random", "hit-rate 0.3", "replay chair-ball", "clusters 64, tbb_auto, 2 threads": what was tested, and by
+/// whom.
 [[nodiscard]] std::string tests_of(const KernelRecord& record);
 
 /// A kernel on a list of tests, or in one of its ways, over all rounds.

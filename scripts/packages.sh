@@ -8,7 +8,7 @@ build_packages=(g++ cmake ninja-build pkg-config libfmt-dev libtomlplusplus-dev 
 # Python's two draw the charts of scripts/chart_study; Vega, what bundles it and what runs it, those of scripts/draw_report.
 optional_packages=(libtbb-dev clang libomp-dev libassimp-dev zlib1g-dev libbenchmark-dev libembree-dev
   python3-matplotlib python3-jinja2 node-vega esbuild nodejs librsvg2-bin)
-# Chromium opens the page of scripts/draw_report in a test, which is skipped without it.
-test_packages=(libgtest-dev chromium)
+# Chromium opens the page of scripts/draw_report in a test, which is skipped without it; xz packs and unpacks recorded runs.
+test_packages=(libgtest-dev chromium xz-utils)
 # What .ci/run and .ci/long check beyond the tests.
 check_packages=(clang-format clang-tidy)

@@ -71,8 +71,8 @@ TEST_F(KernelBenchTimes, threads_share_the_tests_of_a_pass) {
 }
 
 TEST_F(KernelBenchTimes, a_scheduler_shares_the_tests_of_a_pass) {
-  const KernelPlan plan = tiny_plan(
-      "protocol = \"clusters\"\nthreads = [1, 3]\nscheduler = [\"shares\", \"thread_dynamic\"]\n");
+  const KernelPlan plan =
+      tiny_plan("protocol = \"clusters\"\nthreads = [1, 3]\nscheduler = [\"shares\", \"thread_dynamic\"]\n");
   KernelBench bench(plan);
   for (const KernelCell& cell : plan.cells) {
     const KernelRecord record = bench.measure(cell, 0, 5);
@@ -107,7 +107,8 @@ TEST(scheduled_pass, runs_each_part_once_and_tells_their_sum) {
 }
 
 TEST(scheduled_pass, is_never_on_openmp_whose_threads_spin_on) {
-  for (const std::string_view scheduler : kernel_schedulers()) EXPECT_FALSE(scheduler.starts_with("omp")) << scheduler;
+  for (const std::string_view scheduler : kernel_schedulers())
+    EXPECT_FALSE(scheduler.starts_with("omp")) << scheduler;
 }
 
 // Without any upper limit: what sleeps takes at least so long.

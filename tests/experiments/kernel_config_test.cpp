@@ -54,7 +54,8 @@ TEST(kernel_config, schedulers_are_those_that_leave_no_thread_spinning) {
   EXPECT_EQ(parse(head + "[sweep]\nscheduler = [\"thread_dynamic\", \"shares\"]\n").schedulers,
             (std::vector<std::string>{"thread_dynamic", "shares"}));
   const std::string refused = errors(head + "[sweep]\nscheduler = \"omp_static\"\n");
-  EXPECT_TRUE(refused.starts_with("a.toml:4: unknown scheduler \"omp_static\"; built here: shares, thread_static, "))
+  EXPECT_TRUE(
+      refused.starts_with("a.toml:4: unknown scheduler \"omp_static\"; built here: shares, thread_static, "))
       << refused;
 }
 

@@ -236,8 +236,9 @@ TEST(published_of_configs, that_is_wrong_is_told) {
       "a.toml:12: published.beside must be a table: { file = \"published/NAME.csv\", factors = { … } }";
   EXPECT_EQ(errors(right + "columns = \"mode\"\nbeside = \"a.csv\"\n"), beside);
   EXPECT_EQ(errors(right + "columns = \"mode\"\nbeside = { file = \"a.csv\" }\n"), beside);
-  EXPECT_EQ(errors(right + "columns = \"mode\"\nbeside = { file = \"no.csv\", factors = { pin = \"none\" } }\n"),
-            "a.toml:12: no.csv: cannot be opened");
+  EXPECT_EQ(
+      errors(right + "columns = \"mode\"\nbeside = { file = \"no.csv\", factors = { pin = \"none\" } }\n"),
+      "a.toml:12: no.csv: cannot be opened");
 }
 
 TEST(quick_of_configs, lists_what_set_would_change) {
