@@ -14,6 +14,7 @@
 #include "experiments/read_claims.h"
 #include "experiments/scheduled_pass.h"
 #include "experiments/toml_reader.h"
+#include "schedulers/registry.h"
 #include "tracer/scene/scenes.h"
 
 namespace raysweep {
@@ -80,9 +81,22 @@ class KernelParser : public TomlReader {
                       changes_of(all_kernels<float>(), all_kernels<double>(), inapplicable_here()));
     read_hit_rates(sweep);
     read_threads(sweep);
-    std::vector<std::string_view> schedulers = kernel_schedulers();
-    schedulers.insert(schedulers.begin(), own_shares);
-    config_.schedulers = names(sweep, "scheduler", schedulers, own_shares);
+    read_schedulers(sweep);
+  }
+
+  /// Of "all" those that are available here.
+  void read_schedulers(const toml::table& sweep) {
+    std::vector<std::string_view> known = kernel_schedulers();
+    known.insert(known.begin(), own_shares);
+    const bool are_all = sweep["scheduler"].value<std::string>() == "all";
+    for (const std::string& name : names(sweep, "scheduler", known, own_shares)) {
+      const std::string problem = name == own_shares ? "" : why_unavailable(*find_scheduler(name));
+      if (problem.empty())
+        config_.schedulers.push_back(name);
+      else if (!are_all)
+        fail(*sweep.get("scheduler"),
+             fmt::format("scheduler \"{}\" cannot be used here: it is {}", name, problem));
+    }
   }
 
   /// Intersection alone, or others.

@@ -7,8 +7,7 @@ namespace raysweep {
 std::vector<std::string_view> kernel_schedulers() {
   std::vector<std::string_view> names;
   for (const SchedulerInfo& info : all_schedulers()) {
-    if (info.uses_threads && !info.uses_runtime() && why_unavailable(info).empty())
-      names.push_back(info.name);
+    if (info.uses_threads && !info.uses_runtime()) names.push_back(info.name);
   }
   return names;
 }

@@ -14,8 +14,9 @@ namespace raysweep {
 /// Parts for each thread: so many that a scheduler has something to hand out, so few that each is many tests.
 constexpr int parts_a_thread = 4;
 
-/// Schedulers that passes of kernels may be given to here. None on OpenMP: all cells share one process, and
-/// its threads spin on for a while when their work is done, into the time of whatever comes next.
+/// Schedulers that passes of kernels may be given to, where they are available. None on OpenMP: all cells
+/// share one process, and its threads spin on for a while when their work is done, into the time of whatever
+/// comes next.
 [[nodiscard]] std::vector<std::string_view> kernel_schedulers();
 
 class ScheduledPass {

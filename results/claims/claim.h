@@ -39,8 +39,9 @@ struct ExpectedRange {
 /// Allowed values of factors: any of them.
 using Selector = std::map<std::string, std::vector<std::string>>;
 
-enum class AppliesTo { both, published, ours };
-inline constexpr std::array<std::string_view, 3> applies_to_names{"both", "published", "ours"};
+/// Neither: what a source says that no number tells.
+enum class AppliesTo { both, published, ours, neither };
+inline constexpr std::array<std::string_view, 4> applies_to_names{"both", "published", "ours", "neither"};
 
 /// Values of factors may be formulas of the machine: threads = "2*pus".
 struct Claim {

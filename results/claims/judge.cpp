@@ -125,6 +125,7 @@ std::optional<std::string> why_not_applicable(const Claim& claim, const MachineC
 }
 
 SideJudgement judge_published(const Claim& claim, const ClaimSheet& sheet) {
+  if (claim.applies_to == AppliesTo::neither) return untold("no printed number tells it");
   if (claim.applies_to == AppliesTo::ours) return untold("a claim about our numbers only");
   if (!sheet.published) return untold("there is no printed table");
   const auto printed = observations_of(*sheet.published, claim.quantity);
@@ -134,6 +135,7 @@ SideJudgement judge_published(const Claim& claim, const ClaimSheet& sheet) {
 }
 
 SideJudgement judge_ours(const Claim& claim, const Observations& ours, const MachineCounts& machine) {
+  if (claim.applies_to == AppliesTo::neither) return untold("no record tells it");
   if (claim.applies_to == AppliesTo::published) return untold("a claim about the printed numbers only");
   const auto found = ours.find(claim.quantity);
   if (found == ours.end()) return untold(fmt::format("nothing was measured of {}", claim.quantity));

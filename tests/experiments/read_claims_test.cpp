@@ -133,7 +133,7 @@ TEST(claims_of_configs, that_are_wrong_are_told_by_line) {
       "a.toml:13: unknown quantity \"speed\"; possible: fps, frame_seconds, speedup, speedup_one, quality, "
       "imbalance, chunks, empty_region_seconds, build_seconds, rays");
   EXPECT_EQ(line("rule = \"plateau\"\nkey = \"threads\"\napplies_to = \"them\"\n"),
-            "a.toml:13: unknown applies_to \"them\"; possible: both, published, ours");
+            "a.toml:13: unknown applies_to \"them\"; possible: both, published, ours, neither");
   EXPECT_EQ(line("rule = \"linear\"\nkey = \"threads\"\nof = \"log\"\n"),
             "a.toml:13: unknown of \"log\" of rule \"linear\"; possible: value, inverse");
   EXPECT_EQ(line("rule = \"linear\"\nkey = \"threads\"\nintercept = 1\n"),

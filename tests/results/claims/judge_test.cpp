@@ -305,8 +305,9 @@ TEST(judgement, a_factor_that_others_decide_splits_no_group) {
 TEST(judgement, verdicts_have_the_words_of_the_study) {
   ClaimSheet sheet;
   sheet.claims = {ratio_claim("1.2", "1.3"), ratio_claim("2", ""), ratio_claim("1.25", ""),
-                  ratio_claim("1", "3")};
+                  ratio_claim("1", "3"), ratio_claim("1", "3")};
   sheet.claims[3].applies_to = AppliesTo::published;
+  sheet.claims[4].applies_to = AppliesTo::neither;
   PublishedTable table;
   table.quantity = "fps";
   table.machine = machine;
@@ -320,6 +321,8 @@ TEST(judgement, verdicts_have_the_words_of_the_study) {
   EXPECT_EQ(judged[2].published_verdict(), "undecided by its digits");
   EXPECT_EQ(judged[2].our_verdict(), "reproduced");
   EXPECT_EQ(judged[3].our_verdict(), "cannot be tested here");
+  EXPECT_EQ(judged[4].published_verdict(), "not in a table");
+  EXPECT_EQ(judged[4].ours.sentence, "no record tells it");
   sheet.published.reset();
   EXPECT_EQ(judge_all(sheet, ours, machine)[0].published_verdict(), "not in a table");
 }
