@@ -25,8 +25,8 @@ def missing_packages():
     return missing if (NODE_MODULES / "vega").is_dir() else [*missing, "node-vega"]
 
 
-def run_tool(command, given=b"", **more):
-    done = subprocess.run([str(c) for c in command], input=given, capture_output=True, check=False, **more)
+def run_tool(command, **more):
+    done = subprocess.run([str(c) for c in command], stdin=subprocess.DEVNULL, capture_output=True, check=False, **more)
     if done.returncode:
         raise ToolError(f"{command[0]} failed: {done.stderr.decode(errors='replace').strip()[-SAID:]}")
     return done.stdout
@@ -47,9 +47,11 @@ def page_script():
 def drawn(specs, config):
     """{name: text of an SVG} of {name: specification}."""
     with tempfile.TemporaryDirectory() as folder:
-        script = pathlib.Path(folder) / "draw.cjs"
+        script, given, made = (pathlib.Path(folder) / name for name in ("draw.cjs", "given.json", "made.json"))
         script.write_text(bundled("draw.js", "--platform=node", "--main-fields=module,main", "--format=cjs", "--external:canvas"), encoding="utf-8")
-        return json.loads(run_tool(["node", script], json.dumps({"specs": specs, "config": config}).encode()))
+        given.write_text(json.dumps({"specs": specs, "config": config}), encoding="utf-8")
+        run_tool(["node", script, given, made])
+        return json.loads(made.read_text(encoding="utf-8"))
 
 
 def write_png(svg_file, png_file, zoom=1.5):

@@ -1,4 +1,5 @@
-// The charts' files: reads {config, specs} as JSON from standard input, writes {name: text of an SVG} to standard output.
+// The charts' files: reads {config, specs} as JSON from the file that is named first, writes {name: text of an SVG} into the second.
+// Not standard input: what is not there yet of a pipe Node.js takes for an error.
 import * as fs from 'node:fs';
 import * as vega from 'vega';
 import {textMetrics} from 'vega-scenegraph';
@@ -14,4 +15,5 @@ async function draw_all({config, specs}) {
   return drawn;
 }
 
-draw_all(JSON.parse(fs.readFileSync(0, 'utf8'))).then((drawn) => process.stdout.write(JSON.stringify(drawn)));
+const [given, made] = process.argv.slice(2);
+draw_all(JSON.parse(fs.readFileSync(given, 'utf8'))).then((drawn) => fs.writeFileSync(made, JSON.stringify(drawn)));
