@@ -10,7 +10,10 @@ SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "list_verdict
 
 
 def claim(name, published, ours):
-    return {"id": name, "published": {"verdict": published}, "ours": {"verdict": ours}}
+    def side(verdict):
+        return {"verdict": verdict, "sentence": f"found {verdict}"}
+
+    return {"id": name, "text": f"says {name}", "published": side(published), "ours": side(ours)}
 
 
 class ListVerdicts(unittest.TestCase):
@@ -48,6 +51,16 @@ class ListVerdicts(unittest.TestCase):
         self.assertEqual(cells[0], ["experiment", "about", "reproduced", "cannot be tested here"])
         self.assertEqual(cells[2:4], [["B", "about B", "2", "1"], ["A", "about A", "1"]])
         self.assertEqual(lines[-1], "4 claims: 2 reproduced, 2 cannot be tested here")
+
+    def test_what_was_found_of_some_claims_is_told_as_asked(self):
+        run = self.run_of("B", [claim("x", "not in a table", "reproduced"), claim("y", "holds in the source", "not reproduced")])
+        result = self.listed("--claim", "B/y", "--claim", "B/x", run)
+        self.assertEqual(result.stdout.splitlines(), ["B/y: says y", "  holds in the source: found holds in the source",
+                                                      "  here not reproduced: found not reproduced",
+                                                      "B/x: says x", "  here reproduced: found reproduced"])
+        wrong = self.listed("--claim", "B/z", run)
+        self.assertEqual((wrong.returncode, wrong.stdout), (1, ""))
+        self.assertIn("no claim B/z in these runs; they have: B/x, B/y", wrong.stderr)
 
     def test_a_folder_without_a_report_is_told_with_what_writes_it(self):
         folder = pathlib.Path(self.folder.name)
