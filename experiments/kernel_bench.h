@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "results/kernel_record.h"
 
 namespace raysweep {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "experiments/run_files.h"
 
 namespace raysweep {

@@ -1,7 +1,7 @@
 // What all kernels ask of the timer, and what they keep of its answer.
 #pragma once
 
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "experiments/kernel_timer.h"
 #include "results/kernel_record.h"
 

@@ -1,7 +1,7 @@
 // From a cell of a kernel other than intersection to its record.
 #pragma once
 
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "results/kernel_record.h"
 
 namespace raysweep {

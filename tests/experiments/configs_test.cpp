@@ -11,7 +11,7 @@
 #include "experiments/config_toml.h"
 #include "experiments/errors.h"
 #include "experiments/include_list.h"
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "experiments/pixels_config.h"
 #include "experiments/plan.h"
 #include "experiments/read_claims.h"

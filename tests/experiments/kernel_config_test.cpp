@@ -1,6 +1,4 @@
 // Kernel experiments as their files state them.
-#include "experiments/kernel_config.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <set>
 
 #include "experiments/errors.h"
+#include "experiments/kernel_plan.h"
 
 namespace raysweep {
 namespace {

@@ -9,7 +9,7 @@
 #include "experiments/config.h"
 #include "experiments/config_toml.h"
 #include "experiments/errors.h"
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "experiments/pixels_config.h"
 #include "experiments/plan.h"
 

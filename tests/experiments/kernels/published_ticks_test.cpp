@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "experiments/kernel_config.h"
+#include "experiments/kernel_plan.h"
 #include "results/claims/judge.h"
 #include "results/claims/measured_cells.h"
 
