@@ -20,6 +20,7 @@ namespace raysweep {
 /// calls `execute` too, so whoever leaves gets back the processors that the maker of this object had. TBB's
 /// threads outlive the arena, and it tells nobody of those that leave after `observe(false)`: they are waited
 /// for, lest one come bound to the next arena. They leave within microseconds once there is nothing to do.
+/// One that comes while this ends is not bound any more.
 class BindingObserver final : public tbb::task_scheduler_observer {
  public:
   BindingObserver(tbb::task_arena& arena, const Binding& binding)
@@ -27,26 +28,29 @@ class BindingObserver final : public tbb::task_scheduler_observer {
     observe(!binding_.none());
   }
   ~BindingObserver() override {
-    while (inside_.load(std::memory_order_relaxed) > 0)
-      std::this_thread::yield();  // relaxed: carries no data
+    ends_.store(true);
+    while (inside_.load() > 0) std::this_thread::yield();
     observe(false);
   }
   BindingObserver(const BindingObserver&) = delete;
   BindingObserver& operator=(const BindingObserver&) = delete;
 
   void on_scheduler_entry(bool) override {
-    inside_.fetch_add(1, std::memory_order_relaxed);
-    binding_.bind(tbb::this_task_arena::current_thread_index());
+    inside_.fetch_add(1);
+    if (!ends_.load()) binding_.bind(tbb::this_task_arena::current_thread_index());
   }
   void on_scheduler_exit(bool) override {
     (void)bind_this_thread(before_);
-    inside_.fetch_sub(1, std::memory_order_relaxed);
+    inside_.fetch_sub(1);
   }
 
  private:
   const Binding& binding_;
   ProcessorSet before_;
-  std::atomic<int> inside_{0};  // threads bound now
+  // In one order for all threads (sequentially consistent): whoever comes sees that this ends, or the end
+  // sees who has come.
+  std::atomic<bool> ends_{false};
+  std::atomic<int> inside_{0};  // threads that have come and not left
 };
 
 class TbbScheduler : public Scheduler {
