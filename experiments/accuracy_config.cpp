@@ -116,9 +116,7 @@ AccuracyPlan make_plan(const AccuracyConfig& config) {
       }
     }
   }
-  std::vector<std::string_view> precisions;
-  for (const Precision precision : config.precisions) precisions.push_back(name_of(precision));
-  plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, precisions);
+  plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, config.precisions);
   return plan;
 }
 
@@ -129,15 +127,9 @@ nlohmann::json to_json(const AccuracyPlan& plan) {
                       {"seed", plan.settings.seed},
                       {"trials", plan.settings.ray_count},
                       {"cells", nlohmann::json::array()},
-                      {"left_out", nlohmann::json::array()}};
+                      {"left_out", left_out_as_json(plan.left_out)}};
   for (const AccuracyBatch& batch : plan.batches) {
     for (const size_t subject : batch.subjects) json["cells"].push_back(cell_key(batch, subject));
-  }
-  for (const Inapplicable& one : plan.left_out) {
-    json["left_out"].push_back({{"method", one.method},
-                                {"change", one.change},
-                                {"precision", one.precision},
-                                {"reason", one.reason}});
   }
   add_to_plan(json, plan.sheet);
   return json;

@@ -108,9 +108,7 @@ KernelPlan make_plan(const KernelConfig& config) {
   }
   plan.wall_clock = std::ranges::any_of(
       plan.cells, [](const KernelCell& cell) { return cell.threads > 1 || cell.scheduler != own_shares; });
-  std::vector<std::string_view> precisions;
-  for (const Precision precision : config.precisions) precisions.push_back(name_of(precision));
-  plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, precisions);
+  plan.left_out = left_out_of(inapplicable_here(), config.variants, config.methods, config.precisions);
   return plan;
 }
 
@@ -127,14 +125,8 @@ nlohmann::json to_json(const KernelPlan& plan) {
                       {"samples", plan.measure.samples},
                       {"min_seconds", plan.measure.min_seconds},
                       {"cells", nlohmann::json::array()},
-                      {"left_out", nlohmann::json::array()}};
+                      {"left_out", left_out_as_json(plan.left_out)}};
   for (const KernelCell& cell : plan.cells) json["cells"].push_back(cell.key);
-  for (const Inapplicable& one : plan.left_out) {
-    json["left_out"].push_back({{"method", one.method},
-                                {"change", one.change},
-                                {"precision", one.precision},
-                                {"reason", one.reason}});
-  }
   add_to_plan(json, plan.sheet);
   return json;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace raysweep {
 
@@ -19,11 +20,24 @@ bool VariantChoice::takes(const std::string& change) const { return is_star || c
 
 std::vector<Inapplicable> left_out_of(const std::vector<Inapplicable>& all, const VariantChoice& choice,
                                       const std::vector<std::string>& methods,
-                                      const std::vector<std::string_view>& precisions) {
+                                      const std::vector<Precision>& precisions) {
+  std::vector<std::string_view> names;
+  for (const Precision precision : precisions) names.push_back(name_of(precision));
   std::vector<Inapplicable> list;
   for (const Inapplicable& one : all) {
-    if (choice.takes(one.change) && contains(methods, one.method) && contains(precisions, one.precision))
+    if (choice.takes(one.change) && contains(methods, one.method) && contains(names, one.precision))
       list.push_back(one);
+  }
+  return list;
+}
+
+nlohmann::json left_out_as_json(const std::vector<Inapplicable>& left_out) {
+  auto list = nlohmann::json::array();
+  for (const Inapplicable& one : left_out) {
+    list.push_back({{"method", one.method},
+                    {"change", one.change},
+                    {"precision", one.precision},
+                    {"reason", one.reason}});
   }
   return list;
 }

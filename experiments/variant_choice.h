@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiments/intersection/accuracy.h"
 #include "experiments/intersection/subjects.h"
 #include "experiments/toml_reader.h"
 
@@ -23,7 +25,10 @@ struct VariantChoice {
 [[nodiscard]] std::vector<Inapplicable> left_out_of(const std::vector<Inapplicable>& all,
                                                     const VariantChoice& choice,
                                                     const std::vector<std::string>& methods,
-                                                    const std::vector<std::string_view>& precisions);
+                                                    const std::vector<Precision>& precisions);
+
+/// As plan.json lists them.
+[[nodiscard]] nlohmann::json left_out_as_json(const std::vector<Inapplicable>& left_out);
 
 /// The changes that `lists` of subjects, kernels or inapplicable variants name, each once, without "base".
 template <class... Lists>
