@@ -22,11 +22,12 @@ namespace HWY_NAMESPACE {
 /// together. It is moved by 4u|c|, down for near planes and up for far ones; what is left is v(1 ± 2u) on the
 /// safe side. Limits and far distances are widened by 1 + 32u, more than all relative errors together,
 /// `slab`'s own widening included. `smallest` outweighs underflow. Needed: no overflow, hence the bounds of
-/// regular rays.
+/// regular rays; along the axes of flat ones see `FlatAxes`.
 struct alignas(64) Slot : StackPlace {
   float reciprocal[4], near_offset[4], far_offset[4];
   uint32_t near_plane[4];  // bytes into a node; [3]: of the octant's order
   float origin[4], direction[4];
+  uint32_t is_flat;
   float limit;  // `t`, widened
   uint32_t ray;
   float t;  // the nearest hit so far
@@ -41,11 +42,40 @@ struct RayOfSlot {
 
   HWY_INLINE explicit RayOfSlot(const Slot& s)
       : ray{{s.origin[0], s.origin[1], s.origin[2]}, {s.direction[0], s.direction[1], s.direction[2]}},
-        slab_ray(ray, {s.reciprocal[0], s.reciprocal[1], s.reciprocal[2]}) {}
+        slab_ray(s.is_flat != 0 ? SlabRay<float>(ray)
+                                : SlabRay<float>(ray, {s.reciprocal[0], s.reciprocal[1], s.reciprocal[2]})) {}
 };
 
 inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
 inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
+
+/// Rays that do not move, or hardly, along some axis: those along an axis of the world, above all. There the
+/// direction's reciprocal would overflow. Instead of it stands one of 2¹⁰⁰ over the scene's size S, and
+/// offsets are moved by 2⁸², so that a ray is inside the planes until t = 2⁸¹ if it begins between them or up
+/// to 2⁻¹⁸S beside them, and never if it begins 2⁻¹⁷S away: products are 2¹⁰¹ at most, and their roundings
+/// 2⁸⁰ together. What is asked of such rays: that they leave the scene before 2⁸⁰, by an axis that is not
+/// flat, and move by 2⁻²⁰S at most till then along those that are. Hits are accepted one by one, by `slab`
+/// itself.
+class FlatAxes {
+ public:
+  HWY_INLINE explicit FlatAxes(const Box<float>& bounds)
+      : size_(std::max({max_abs(bounds.lower()), max_abs(bounds.upper()), 0x1p-26f})) {}
+
+  [[nodiscard]] HWY_INLINE float reciprocal() const { return 0x1p100f / size_; }
+  static constexpr float way = 0x1p82f;
+  /// How far beside the scene a ray may begin.
+  [[nodiscard]] HWY_INLINE float beside() const { return 0x1p-17f * size_; }
+  /// Whether rays are as asked that leave the scene at `leave` and move by `along` at most in 1 of t.
+  [[nodiscard]] HWY_INLINE LaneMask are_manageable(FloatLanes leave, FloatLanes along) const {
+    const Floats d;
+    return hn::Or(hn::Lt(leave, hn::Zero(d)),
+                  hn::And(hn::Le(leave, hn::Set(d, 0x1p80f)),
+                          hn::Le(hn::Mul(leave, along), hn::Set(d, 0x1p-20f * size_))));
+  }
+
+ private:
+  const float size_;
+};
 
 /// Rays looked at before the next ones begin: so many that the loop's end is rare.
 inline constexpr size_t chosen_at_once = 256;
@@ -56,7 +86,12 @@ class Chooser {
  public:
   HWY_INLINE Chooser(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds,
                      KernelScratch& scratch)
-      : rays_(rays), hits_(hits), bounds_(bounds), groups_(scratch.groups), left_over_(scratch.left_over) {}
+      : rays_(rays),
+        hits_(hits),
+        bounds_(bounds),
+        flat_axes_(bounds),
+        groups_(scratch.groups),
+        left_over_(scratch.left_over) {}
 
   /// `memory` has room for `chosen_at_once + 2 · packet_size` numbers.
   HWY_INLINE void work_in(uint32_t* memory) { pending_ = memory; }
@@ -86,12 +121,18 @@ class Chooser {
     const Lanes3<Floats> origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
     const Lanes3<Floats> direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
     FloatLanes enter = hn::Zero(d), leave = hn::Load(d, hits_.t.data() + first);
-    LaneMask is_regular = hn::Eq(enter, enter);
+    const FloatLanes beside = hn::Set(d, flat_axes_.beside());
+    FloatLanes flat_along = hn::Zero(d);
+    LaneMask is_regular = hn::Eq(enter, enter), is_flat = hn::Ne(enter, enter), is_beside = is_flat;
     const auto cut = [&](const FloatLanes& from, const FloatLanes& along, float lower, float upper) HWY_ATTR {
       const FloatLanes size = hn::Abs(along), high = hn::Set(Floats(), regular_high);
-      is_regular =
-          hn::And(is_regular, hn::And(hn::Ge(size, hn::Set(Floats(), regular_low)), hn::Le(size, high)));
-      is_regular = hn::And(is_regular, hn::Le(hn::Abs(from), high));
+      is_regular = hn::And(is_regular, hn::And(hn::Le(size, high), hn::Le(hn::Abs(from), high)));
+      const LaneMask is_flat_here = hn::Lt(size, hn::Set(Floats(), regular_low));
+      is_flat = hn::Or(is_flat, is_flat_here);
+      flat_along = hn::Max(flat_along, hn::IfThenElseZero(is_flat_here, size));
+      const LaneMask is_outside = hn::Or(hn::Lt(from, hn::Sub(hn::Set(Floats(), lower), beside)),
+                                         hn::Gt(from, hn::Add(hn::Set(Floats(), upper), beside)));
+      is_beside = hn::Or(is_beside, hn::And(is_flat_here, is_outside));
       const FloatLanes reciprocal = hn::Div(hn::Set(Floats(), 1.0f), along);
       const FloatLanes c = hn::Neg(hn::Mul(from, reciprocal));
       const FloatLanes error =
@@ -99,8 +140,8 @@ class Chooser {
       const FloatLanes a = hn::Mul(hn::Set(Floats(), lower), reciprocal),
                        b = hn::Mul(hn::Set(Floats(), upper), reciprocal);
       const FloatLanes slack = hn::Add(error, error);
-      enter = hn::Max(enter, hn::Sub(hn::Add(hn::Min(a, b), c), slack));
-      leave = hn::Min(leave, hn::Add(hn::Add(hn::Max(a, b), c), slack));
+      enter = hn::IfThenElse(is_flat_here, enter, hn::Max(enter, hn::Sub(hn::Add(hn::Min(a, b), c), slack)));
+      leave = hn::IfThenElse(is_flat_here, leave, hn::Min(leave, hn::Add(hn::Add(hn::Max(a, b), c), slack)));
     };
     cut(origin.x, direction.x, bounds_.lower().x, bounds_.upper().x);
     cut(origin.y, direction.y, bounds_.lower().y, bounds_.upper().y);
@@ -112,7 +153,8 @@ class Chooser {
       const WordLanes id = hn::Load(dw, hits_.id.data() + first);
       is_there = hn::And(is_there, hn::RebindMask(d, hn::Eq(id, hn::Set(dw, no_hit_id))));
     }
-    const LaneMask meets = hn::Le(enter, hn::Mul(leave, hn::Set(d, widening)));
+    is_regular = hn::AndNot(hn::AndNot(flat_axes_.are_manageable(leave, flat_along), is_flat), is_regular);
+    const LaneMask meets = hn::AndNot(is_beside, hn::Le(enter, hn::Mul(leave, hn::Set(d, widening))));
     const Compaction chosen(hn::And(hn::And(meets, is_regular), is_there));
     hn::StoreU(chosen(hn::Iota(dw, static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
     pending_count_ += chosen.count();
@@ -129,6 +171,7 @@ class Chooser {
   const RayBatch& rays_;
   const HitBatch& hits_;
   const Box<float>& bounds_;
+  const FlatAxes flat_axes_;
   const std::vector<uint32_t>& groups_;
   std::vector<uint32_t>& left_over_;
   uint32_t* pending_ = nullptr;  // rays to be begun

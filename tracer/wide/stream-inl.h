@@ -37,6 +37,7 @@ class Stream {
         rays_(rays),
         hits_(hits),
         count_(scratch.visits),
+        flat_axes_(geometry.tree.bounds),
         chooser_(rays, hits, geometry.tree.bounds, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     slots_ = static_cast<char*>(
@@ -102,14 +103,19 @@ class Stream {
     direction = hn::InsertLane(direction, 0, rays_.direction_x[i]);
     direction = hn::InsertLane(direction, 1, rays_.direction_y[i]);
     direction = hn::InsertLane(direction, 2, rays_.direction_z[i]);
-    const auto reciprocal = hn::Div(hn::Set(d, 1.0f), direction);
+    const auto is_flat = hn::Lt(hn::Abs(direction), hn::Set(d, regular_low));
+    const auto flat = hn::CopySign(hn::Set(d, flat_axes_.reciprocal()), direction);
+    const auto reciprocal = hn::IfThenElse(is_flat, flat, hn::Div(hn::Set(d, 1.0f), direction));
     const auto c = hn::Neg(hn::Mul(origin, reciprocal));
-    const auto error = hn::Add(hn::Mul(hn::Abs(c), hn::Set(d, offset_error)), hn::Set(d, smallest));
+    const auto error =
+        hn::IfThenElse(is_flat, hn::Set(d, FlatAxes::way),
+                       hn::Add(hn::Mul(hn::Abs(c), hn::Set(d, offset_error)), hn::Set(d, smallest)));
     hn::Store(reciprocal, d, slot.reciprocal);
     hn::Store(hn::Sub(c, error), d, slot.near_offset);
     hn::Store(hn::Add(c, error), d, slot.far_offset);
     hn::Store(origin, d, slot.origin);
     hn::Store(direction, d, slot.direction);
+    slot.is_flat = hn::AllFalse(d, is_flat) ? 0 : 1;
     constexpr uint32_t row = lane_count * sizeof(float);
     alignas(16) static constexpr uint32_t lower[4] = {0, 2 * row, 4 * row, 0};
     const auto sign = hn::ShiftRight<31>(hn::BitCast(du, direction));
@@ -214,6 +220,7 @@ class Stream {
 
   /// The first hit of the block's candidates.
   HWY_INLINE Hit<float> nearest_triangle(const Slot& slot, const Block& block) const {
+    if (slot.is_flat != 0) return nearest_of_flat(slot, block);
     const Floats d;
     const Words dw;
     const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity());
@@ -236,12 +243,25 @@ class Stream {
     return nearest;
   }
 
+  /// The same of a flat ray.
+  HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
+    const FloatLanes infinity = hn::Set(Floats(), std::numeric_limits<float>::infinity());
+    const LaneMask is_miss = hn::Eq(hn::Load(Floats(), slot.distances), infinity);
+    return nearest_one_by_one(slot, block, hn::Not(is_miss), Hit<float>::none());
+  }
+
   /// `nearest`, or what comes before it among the triangles that lanes cannot decide.
   HWY_INLINE Hit<float> nearest_undecided(const Slot& slot, const Block& block, Hit<float> nearest) const {
     const LaneMask is_undecided = hn::IsNaN(hn::Load(Floats(), slot.distances));
     if (hn::AllFalse(Floats(), is_undecided)) return nearest;
+    return nearest_one_by_one(slot, block, is_undecided, nearest);
+  }
+
+  /// `nearest`, or what comes before it among the block's triangles in `lanes`.
+  HWY_INLINE Hit<float> nearest_one_by_one(const Slot& slot, const Block& block, LaneMask lanes,
+                                           Hit<float> nearest) const {
     const RayOfSlot ray(slot);
-    for (uint32_t left = bits_of(is_undecided); left != 0; left &= left - 1) {
+    for (uint32_t left = bits_of(lanes); left != 0; left &= left - 1) {
       const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
       const auto t = primitives_.accept_triangle(block.id[lane], slot.distances[lane], ray.ray, ray.slab_ray,
                                                  Hit<float>::start());
@@ -279,6 +299,7 @@ class Stream {
   uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
   [[no_unique_address]] const VisitCounter count_;
+  const FlatAxes flat_axes_;
   Chooser<any> chooser_;
 };
 
