@@ -91,6 +91,18 @@ Estimate time_ratio(const Advised& slower, const Advised& quicker) {
   return estimate_median(std::move(ratios));
 }
 
+std::optional<double> most_slower(const std::vector<Advised>& all, const Ranking& ranking, double tolerance) {
+  if (!ranking.choice) return std::nullopt;
+  double most = 0;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (i == *ranking.choice || !all[i].predicted.keeps(tolerance)) continue;
+    const Estimate ratio = time_ratio(all[i], all[*ranking.choice]);
+    if (!ratio.interval) return std::nullopt;
+    most = std::max(most, 1 / ratio.interval->low - 1);
+  }
+  return most;
+}
+
 std::string advice_text(const std::vector<Advised>& all, const Ranking& ranking, double tolerance) {
   if (!ranking.choice) return refusal(predictions_of(all), tolerance) + ".";
   const Advised& choice = all[*ranking.choice];
@@ -105,7 +117,9 @@ std::string advice_text(const std::vector<Advised>& all, const Ranking& ranking,
   if (!ratio.interval) return text + fmt::format("{:+.1f} %.", more(ratio.value));
   text += fmt::format("{:+.1f} % [{:.1f}, {:.1f}]", more(ratio.value), more(ratio.interval->low),
                       more(ratio.interval->high));
-  return text + (ratio.interval->low <= 1 ? ": no difference shown." : ".");
+  if (ratio.interval->low > 1) return text + ".";
+  return text + fmt::format(": no difference shown; at most {:.1f} % slower than any of them.",
+                            100 * most_slower(all, ranking, tolerance).value_or(0));
 }
 
 }  // namespace raysweep

@@ -73,6 +73,15 @@ struct Ranking {
 /// How much longer `slower` takes than `quicker`: the median of the ratios of each round.
 [[nodiscard]] Estimate time_ratio(const Advised& slower, const Advised& quicker);
 
+/// A choice is to be at most so much slower than the quickest that keeps the tolerance.
+inline constexpr double enough_certainty = 0.05;
+
+/// By how much the choice may yet be slower than another that keeps `tolerance`, as a share of that one's
+/// time: the greatest by the lower ends of the ratios' 95 % intervals, 0 where each shows the choice to be
+/// quicker. None without a choice or without intervals.
+[[nodiscard]] std::optional<double> most_slower(const std::vector<Advised>& all, const Ranking& ranking,
+                                                double tolerance);
+
 /// What is to be done, and why, in a sentence or two.
 [[nodiscard]] std::string advice_text(const std::vector<Advised>& all, const Ranking& ranking,
                                       double tolerance);

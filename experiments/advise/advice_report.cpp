@@ -53,6 +53,11 @@ nlohmann::json json_of(const std::optional<size_t>& index, const std::vector<Adv
   return {{"method", choice.method}, {"precision", choice.precision}};
 }
 
+nlohmann::json most_slower_json(const Advice& advice) {
+  const auto share = most_slower(advice.all, advice.ranking, advice.tolerance);
+  return share ? nlohmann::json(*share) : nlohmann::json(nullptr);
+}
+
 nlohmann::json json_of(const Spread& spread) {
   return {{"median", spread.median}, {"bad_end", spread.bad_end}};
 }
@@ -117,6 +122,7 @@ nlohmann::json to_json(const Advice& advice) {
     row["keeps"] = predicted.keeps(advice.tolerance);
     row["verdict"] = verdict(advice, i);
     add_times(row, "ns_per_ray", nanoseconds);
+    row["ns_per_ray_of_rounds"] = nanoseconds;
     rows.push_back(std::move(row));
   }
   for (const StudyLine& line : advice.study) {
@@ -140,6 +146,7 @@ nlohmann::json to_json(const Advice& advice) {
           {"rows", rows},
           {"choice", json_of(advice.ranking.choice, advice.all)},
           {"runner_up", json_of(advice.ranking.runner_up, advice.all)},
+          {"most_slower", most_slower_json(advice)},
           {"advice", advice_text(advice.all, advice.ranking, advice.tolerance)},
           {"study", study}};
 }

@@ -15,15 +15,23 @@ Measurement as_share(Measurement measured, double size) {
   return measured;
 }
 
-std::vector<std::vector<double>> times_of(const Scene& scene, const std::vector<MethodChoice>& choices,
-                                          const AdviceRequest& request) {
-  std::vector<RenderSettings> settings;
-  for (const MethodChoice& choice : choices) {
-    settings.push_back(request.settings);
-    settings.back().method = choice.method;
-    settings.back().precision = choice.precision;
+std::vector<RenderSettings> settings_of(const std::vector<MethodChoice>& choices,
+                                        const RenderSettings& common) {
+  std::vector<RenderSettings> settings(choices.size(), common);
+  for (size_t i = 0; i < choices.size(); ++i) {
+    settings[i].method = choices[i].method;
+    settings[i].precision = choices[i].precision;
   }
-  return time_pictures(scene, settings, request.rounds);
+  return settings;
+}
+
+/// Whether the quickest by these times is so with enough certainty, or nothing can be chosen.
+bool is_certain(std::vector<Advised> all, const RoundTimes& times, double tolerance) {
+  for (size_t i = 0; i < all.size(); ++i) all[i].nanoseconds = times[i];
+  const Ranking ranking = rank(all, tolerance);
+  if (!ranking.choice) return true;
+  const std::optional<double> share = most_slower(all, ranking, tolerance);
+  return share && *share <= enough_certainty;
 }
 
 /// Kernels take a tenth of the pictures' time.
@@ -47,7 +55,7 @@ std::vector<StudyLine> study_of(const AdviceRequest& request, double size,
 Advice advise(const Scene& scene, const AdviceRequest& request) {
   const std::vector<MethodChoice> choices = choices_by_cost(request.settings.core);
   // Before the sampling, which builds a hierarchy and drops it: the first renderer would get its memory.
-  const auto times = times_of(scene, choices, request);
+  PictureRace race(scene, settings_of(choices, request.settings), request.rounds);
   const auto samples = sample_hits(scene, {predicted_sample, measured_sample});
   Advice advice;
   advice.scene = scene.name;
@@ -60,9 +68,11 @@ Advice advise(const Scene& scene, const AdviceRequest& request) {
   advice.numbers = numbers_of(samples[0]);
   for (const Prediction& one : predict(choices, samples[0], advice.size)) {
     const auto [method, precision] = one.choice;
-    advice.all.push_back({one, as_share(measured_error(method, precision, samples[1]), advice.size),
-                          times[advice.all.size()]});
+    advice.all.push_back({one, as_share(measured_error(method, precision, samples[1]), advice.size), {}});
   }
+  const RoundTimes times =
+      race.run([&](const RoundTimes& so_far) { return is_certain(advice.all, so_far, request.tolerance); });
+  for (size_t i = 0; i < times.size(); ++i) advice.all[i].nanoseconds = times[i];
   advice.ranking = rank(advice.all, request.tolerance);
   advice.study = study_of(request, advice.size, samples[0], samples[1]);
   return advice;

@@ -2,7 +2,6 @@
 
 #include <time.h>
 
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -35,14 +34,16 @@ std::vector<size_t> shuffled(size_t count, Random& random) {
   return order;
 }
 
-/// All `runs` once, which is not counted: caches and pages get warm. Then in rounds, each in another order.
-std::vector<std::vector<double>> run_rounds(const std::vector<Run>& runs, const RoundOptions& options,
-                                            Random& random) {
-  std::vector<std::vector<double>> times(runs.size());
+/// All `runs` once, which is not counted: caches and pages get warm. Then in rounds, each in another order,
+/// while `goes_on` for the seconds and the times so far, or there are too few.
+template <class GoesOn>
+RoundTimes run_rounds(const std::vector<Run>& runs, const RoundOptions& options, Random& random,
+                      const GoesOn& goes_on) {
+  RoundTimes times(runs.size());
   for (const Run& run : runs) (void)run();
   const double begin = now_seconds();
   for (int round = 0; round < options.most; ++round) {
-    if (round >= options.least && now_seconds() - begin > options.seconds) break;
+    if (round >= options.least && !goes_on(now_seconds() - begin, times)) break;
     for (const size_t i : shuffled(runs.size(), random)) times[i].push_back(runs[i]());
   }
   return times;
@@ -103,17 +104,20 @@ void add_kernels(const Workload<T>& work, std::string_view precision, std::vecto
 
 }  // namespace
 
-std::vector<std::vector<double>> time_pictures(const Scene& scene,
-                                               const std::vector<RenderSettings>& settings,
-                                               const RoundOptions& options) {
-  std::vector<Run> runs(settings.size());
-  Random random(options.seed);
+PictureRace::PictureRace(const Scene& scene, const std::vector<RenderSettings>& settings,
+                         const RoundOptions& options)
+    : options_(options), random_(options.seed), runs_(settings.size()) {
   // Built in any order: who comes first gets other memory than who comes last.
-  for (const size_t i : shuffled(settings.size(), random)) {
+  for (const size_t i : shuffled(settings.size(), random_)) {
     const auto picture = std::make_shared<Picture>(scene, settings[i]);
-    runs[i] = [picture] { return picture->nanoseconds_a_ray(); };
+    runs_[i] = [picture] { return picture->nanoseconds_a_ray(); };
   }
-  return run_rounds(runs, options, random);
+}
+
+RoundTimes PictureRace::run(const std::function<bool(const RoundTimes&)>& is_enough) {
+  return run_rounds(runs_, options_, random_, [&](double seconds, const RoundTimes& times) {
+    return seconds <= options_.seconds || (seconds <= patience * options_.seconds && !is_enough(times));
+  });
 }
 
 std::vector<TimedKernel> time_kernels(const std::vector<SampledHit>& hits, const RoundOptions& options) {
@@ -125,7 +129,9 @@ std::vector<TimedKernel> time_kernels(const std::vector<SampledHit>& hits, const
   add_kernels(of_floats, "float", timed, runs);
   add_kernels(of_doubles, "double", timed, runs);
   Random random(options.seed);
-  std::vector<std::vector<double>> times = run_rounds(runs, options, random);
+  RoundTimes times = run_rounds(runs, options, random, [&](double seconds, const RoundTimes& /*times*/) {
+    return seconds <= options.seconds;
+  });
   for (size_t i = 0; i < timed.size(); ++i) timed[i].nanoseconds = std::move(times[i]);
   return timed;
 }

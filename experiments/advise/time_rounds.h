@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
 #include "experiments/advise/hit_sample.h"
+#include "results/statistics/random.h"
 #include "tracer/settings.h"
 
 namespace raysweep {
@@ -18,12 +20,26 @@ struct RoundOptions {
   uint64_t seed = 1;  // of the order of building, and of runs in each round
 };
 
-/// Nanoseconds of processor time of one thread a ray of any kind, for each of `settings` in each round: a
-/// whole picture of `scene` as `render` makes it, shading included, its hierarchy built before. All renderers
-/// are held at once.
-[[nodiscard]] std::vector<std::vector<double>> time_pictures(const Scene& scene,
-                                                             const std::vector<RenderSettings>& settings,
-                                                             const RoundOptions& options);
+/// Of each contestant a time in each round.
+using RoundTimes = std::vector<std::vector<double>>;
+
+/// Whole pictures of a scene as `render` makes them, shading included, by one renderer for each of some
+/// settings. All renderers are held at once, their hierarchies built.
+class PictureRace {
+ public:
+  PictureRace(const Scene& scene, const std::vector<RenderSettings>& settings, const RoundOptions& options);
+
+  /// Nanoseconds of processor time of one thread a ray of any kind. Rounds go on after their time, up to
+  /// `patience` times as long, until `is_enough`.
+  [[nodiscard]] RoundTimes run(const std::function<bool(const RoundTimes&)>& is_enough);
+
+  static constexpr double patience = 5;
+
+ private:
+  RoundOptions options_;
+  Random random_;
+  std::vector<std::function<double()>> runs_;
+};
 
 /// The base kernel of a method of the study, alone.
 struct TimedKernel {

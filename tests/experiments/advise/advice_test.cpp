@@ -39,7 +39,29 @@ TEST(advice, says_where_no_difference_is_shown) {
   EXPECT_EQ(
       advice_text(all, rank(all, 1e-4), 1e-4),
       "Take a in float: of what can promise a hit tolerance of 0.0001 it takes least time. Next is b in "
-      "float, +10.0 % [-10.0, 10.0]: no difference shown.");
+      "float, +10.0 % [-10.0, 10.0]: no difference shown; at most 11.1 % slower than any of them.");
+}
+
+TEST(advice, tells_how_much_slower_than_any_other_that_keeps_the_tolerance_a_choice_may_be) {
+  const std::vector<Advised> all{line("a", 1e-6, {10, 10, 10, 10, 10, 10, 10}),
+                                 line("b", 1e-6, {9, 9, 9, 11, 11, 11, 11}),
+                                 line("c", 1e-6, {9.6, 12, 12, 12, 12, 12, 12}), line("d", 1, rounds_of(1))};
+  const Ranking ranking = rank(all, 1e-4);
+  ASSERT_EQ(ranking.choice, 0u);
+  EXPECT_NEAR(*most_slower(all, ranking, 1e-4), 10.0 / 9 - 1, 1e-12) << "d is quicker, but keeps nothing";
+  EXPECT_EQ(most_slower({all[0], all[3]}, {0, {}}, 1e-4), 0);
+  EXPECT_FALSE(most_slower(all, {}, 1e-4));
+  EXPECT_FALSE(most_slower({line("a", 0, {1, 1}), line("b", 0, {2, 2})}, {0, 1}, 1e-4)) << "too few rounds";
+}
+
+TEST(advice, is_given_when_its_time_is_over_certain_or_not) {
+  const Scene scene = load_scene("chair-ball");
+  AdviceRequest request;
+  request.settings.width = 16;
+  request.settings.height = 12;
+  request.rounds.seconds = 0;  // five times as much is no more
+  const Advice advice = advise(scene, request);
+  EXPECT_EQ(advice.all.front().nanoseconds.size(), static_cast<size_t>(request.rounds.least));
 }
 
 TEST(advice, names_what_is_the_only_one) {
