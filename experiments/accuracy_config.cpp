@@ -69,7 +69,8 @@ std::vector<size_t> chosen_subjects(const AccuracyConfig& config) {
   const auto& subjects = run_subjects<T>();
   for (const std::string& method : config.methods) {
     for (size_t i = 0; i < subjects.size(); ++i) {
-      if (subjects[i].method == method && config.variants.takes(subjects[i].change)) chosen.push_back(i);
+      if (subjects[i].method == method && config.variants.takes(subjects[i].change, subjects[i].combines))
+        chosen.push_back(i);
     }
   }
   return chosen;

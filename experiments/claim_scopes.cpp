@@ -51,7 +51,7 @@ ClaimScope claim_scope(const KernelConfig& config) {
   ClaimScope scope = scope_of_kind("kernel");
   scope.factors["method"] = config.methods;
   scope.factors["protocol"] = config.protocols;
-  if (!config.variants.is_star) scope.factors["change"] = config.variants.changes;
+  if (config.variants.is_list()) scope.factors["change"] = config.variants.changes;
   scope.factors["precision"] = names_of(config.precisions);
   scope.factors["scheduler"] = config.schedulers;
   return scope;
@@ -61,7 +61,7 @@ ClaimScope claim_scope(const AccuracyConfig& config) {
   ClaimScope scope = scope_of_kind("accuracy");
   scope.factors["method"] = config.methods;
   scope.factors["case"] = config.cases;
-  if (!config.variants.is_star) scope.factors["change"] = config.variants.changes;
+  if (config.variants.is_list()) scope.factors["change"] = config.variants.changes;
   scope.factors["precision"] = names_of(config.precisions);
   return scope;
 }

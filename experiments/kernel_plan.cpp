@@ -45,7 +45,7 @@ std::vector<KernelTests> tests_of(const Protocol& protocol, const KernelConfig& 
 /// are hits, elsewhere of those that compute everything anyway.
 template <class T>
 bool takes_part(const Kernel<T>& kernel, const KernelTests& tests, const KernelConfig& config) {
-  if (!config.variants.takes(kernel.change)) return false;
+  if (!config.variants.takes(kernel.change, kernel.combines)) return false;
   if (tests.protocol->rays_a_visit % kernel.rays != 0) return false;
   return tests.protocol->name != "worst-case" || tests.parameter == 1 ||
          kernel.variant.early_out == EarlyOut::no;

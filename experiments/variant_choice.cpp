@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "experiments/intersection/kernel_modules.h"
+
 namespace raysweep {
 
 namespace {
@@ -16,7 +18,15 @@ bool contains(const List& list, const Value& value) {
 
 }  // namespace
 
-bool VariantChoice::takes(const std::string& change) const { return is_star || contains(changes, change); }
+bool VariantChoice::takes(const std::string& change, bool combines) const {
+  if (is_list()) return contains(changes, change);
+  return is_product || !combines;
+}
+
+void KnownChanges::add(const std::string& change, bool combines) {
+  std::vector<std::string>& list = combines ? combined : single;
+  if (change != "base" && !contains(list, change)) list.push_back(change);
+}
 
 std::vector<Inapplicable> left_out_of(const std::vector<Inapplicable>& all, const VariantChoice& choice,
                                       const std::vector<std::string>& methods,
@@ -43,21 +53,29 @@ nlohmann::json left_out_as_json(const std::vector<Inapplicable>& left_out) {
 }
 
 VariantChoice read_variants(TomlReader& reader, const toml::table& table, std::string_view key,
-                            const std::vector<std::string>& known) {
+                            const KnownChanges& known) {
   const toml::node* const node = table.get(key);
   if (!node) return {};
-  if (node->value_exact<std::string>() == "star") return {.is_star = true};
+  const auto whole = node->value_exact<std::string>();
+  if (whole == "star") return {.is_star = true};
+  if (whole == "product") {
+    if (const std::string why = why_no_kernels("combined"); !why.empty())
+      reader.fail(*node, fmt::format("{} \"product\" cannot be used here: it {}; configure with "
+                                     "-DRAYSWEEP_COMBINED_KERNELS=ON and build all targets",
+                                     key, why));
+    return {.is_product = true};
+  }
   VariantChoice choice;
   choice.changes.clear();
   const auto add = [&](const toml::node& one) {
     const auto change = one.value_exact<std::string>();
     if (!change) {
       reader.fail(one, fmt::format("{} must be strings in quotes", key));
-    } else if (*change == "star") {
-      reader.fail(one, fmt::format("{}: \"star\" stands alone: it has all others", key));
-    } else if (*change != "base" && !contains(known, *change)) {
-      reader.fail(one, fmt::format("unknown {} \"{}\"; possible: base, star, {}", key, *change,
-                                   fmt::join(known, ", ")));
+    } else if (*change == "star" || *change == "product") {
+      reader.fail(one, fmt::format("{}: \"{}\" stands alone", key, *change));
+    } else if (*change != "base" && !contains(known.single, *change) && !contains(known.combined, *change)) {
+      reader.fail(one, fmt::format("unknown {} \"{}\"; possible: base, star, product, {}", key, *change,
+                                   fmt::join(known.single, ", ")));
     } else if (!contains(choice.changes, *change)) {
       choice.changes.push_back(*change);
     }

@@ -1,7 +1,6 @@
 // Which variants of its methods a study runs.
 #pragma once
 
-#include <algorithm>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -16,9 +15,12 @@ namespace raysweep {
 /// By the change that makes a variant of its method's base: "base", "division=late", "rays=4".
 struct VariantChoice {
   bool is_star = false;                      // all that differ from the base in one factor, and the base
-  std::vector<std::string> changes{"base"};  // else these
+  bool is_product = false;                   // besides, what there is of several factors at once
+  std::vector<std::string> changes{"base"};  // where it is neither, these
 
-  [[nodiscard]] bool takes(const std::string& change) const;
+  [[nodiscard]] bool is_list() const { return !is_star && !is_product; }
+  /// `combines`: whether the change is one of several factors.
+  [[nodiscard]] bool takes(const std::string& change, bool combines = false) const;
 };
 
 /// Of `all` those that are asked for, of one of `methods` and one of `precisions`.
@@ -30,24 +32,28 @@ struct VariantChoice {
 /// As plan.json lists them.
 [[nodiscard]] nlohmann::json left_out_as_json(const std::vector<Inapplicable>& left_out);
 
-/// The changes that `lists` of subjects, kernels or inapplicable variants name, each once, without "base".
-template <class... Lists>
-[[nodiscard]] std::vector<std::string> changes_of(const Lists&... lists) {
-  std::vector<std::string> changes{"base"};
-  const auto add = [&](const auto& list) {
-    for (const auto& one : list) {
-      if (std::find(changes.begin(), changes.end(), one.change) == changes.end())
-        changes.push_back(one.change);
-    }
-  };
-  (add(lists), ...);
-  changes.erase(changes.begin());
-  return changes;
+/// Changes that a config may name, each once, without "base".
+struct KnownChanges {
+  std::vector<std::string> single, combined;  // of one factor, of several at once
+
+  void add(const std::string& change, bool combines);
+};
+
+/// Those of subjects or kernels of both precisions, and of variants that do not exist.
+template <class Of>
+[[nodiscard]] KnownChanges changes_of(const Of& floats, const auto& doubles,
+                                      const std::vector<Inapplicable>& absent) {
+  KnownChanges known;
+  for (const auto& one : floats) known.add(one.change, one.combines);
+  for (const auto& one : doubles) known.add(one.change, one.combines);
+  for (const Inapplicable& one : absent) known.add(one.change, false);
+  return known;
 }
 
-/// The key's value: "base", which it is without the key too, "star", a change, or a list of changes, each
-/// once. Of `known` and "base" every change is possible; a method that lacks one is left out there.
+/// The key's value: "base", which it is without the key too, "star", "product", a change, or a list of
+/// changes, each once. Of `known` and "base" every change is possible; a method that lacks one is left out
+/// there.
 [[nodiscard]] VariantChoice read_variants(TomlReader& reader, const toml::table& table, std::string_view key,
-                                          const std::vector<std::string>& known);
+                                          const KnownChanges& known);
 
 }  // namespace raysweep

@@ -171,7 +171,8 @@ Contract Contract::read(const std::filesystem::path& file) {
 }
 
 const Clause* Contract::clause_of(const AccuracyRecord& record) const {
-  if (record.change.starts_with("contraction=")) return nullptr;
+  const bool is_combined = record.change.find(',') != std::string::npos;
+  if (is_combined || record.change.starts_with("contraction=")) return nullptr;
   for (const std::string& change : {record.change, std::string("base")}) {
     const auto found = index_.find({record.method, change, record.precision, record.case_id});
     if (found != index_.end()) return &clauses_[found->second];

@@ -46,7 +46,7 @@ class Contract {
 
   [[nodiscard]] const std::vector<Clause>& clauses() const { return clauses_; }
   /// The clause that binds the variant of the record; null if none does. How products and sums are contracted
-  /// is the compiler's choice from place to place: nothing is promised of it.
+  /// is the compiler's choice from place to place: nothing is promised of it, nor of several changes at once.
   [[nodiscard]] const Clause* clause_of(const AccuracyRecord& record) const;
 
  private:

@@ -14,9 +14,24 @@ namespace raysweep {
 
 namespace {
 
-template <class Method, Variant variant, class T>
-std::unique_ptr<KernelPass> prepare_scalar(const Workload<T>& work) {
-  return std::make_unique<ScalarPass<Method, variant, T>>(work);
+template <class Method, Variant variant, class T, Layout layout>
+Kernel<T> own_kernel(std::string change) {
+  return {.method = Method::name,
+          .change = std::move(change),
+          .variant = variant,
+          .layout = name_of(layout),
+          .compiler = compiler_name,
+          .isa = "baseline",
+          .bytes = sizeof(TriangleFor<Method, variant, T>),
+          .prepare = [](const Workload<T>& work) -> std::unique_ptr<KernelPass> {
+            return std::make_unique<ScalarPass<Method, variant, T, layout>>(work);
+          }};
+}
+
+template <class Method, class T, Layout layout>
+void add_layout(std::vector<Kernel<T>>& kernels) {
+  constexpr Variant base = base_variant<Method>();
+  kernels.push_back(own_kernel<Method, base, T, layout>(fmt::format("layout={}", name_of(layout))));
 }
 
 /// The program's own.
@@ -25,20 +40,18 @@ std::vector<Kernel<T>> own_kernels() {
   std::vector<Kernel<T>> kernels;
   for_each_study_method([&]<class Method>(Method) {
     for_each_variant<Method, T>([&]<Variant variant>() {
-      kernels.push_back({.method = Method::name,
-                         .change = change_of(base_variant<Method>(), variant),
-                         .variant = variant,
-                         .compiler = compiler_name,
-                         .isa = "baseline",
-                         .bytes = sizeof(TriangleFor<Method, variant, T>),
-                         .prepare = prepare_scalar<Method, variant, T>});
+      kernels.push_back(
+          own_kernel<Method, variant, T, Layout::aos>(change_of(base_variant<Method>(), variant)));
     });
+    add_layout<Method, T, Layout::soa>(kernels);
+    add_layout<Method, T, Layout::blocks>(kernels);
   });
   return kernels;
 }
 
-/// Kernels of a module say of themselves how many rays and triangles they take; what the module is about is
-/// added here. Lanes of the best instruction set are the usual ones, so that it is no change.
+/// Kernels of a module say of themselves how many rays and triangles they take, and what of the formula has
+/// changed; what the module is about is added here. Lanes of the best instruction set are the usual ones, so
+/// that it is no change.
 std::string full_change(const std::string& shape, const std::string& about, bool is_usual) {
   if (is_usual && !shape.empty()) return shape;
   return shape.empty() ? about : shape + "," + about;
@@ -56,11 +69,11 @@ const std::vector<Kernel<T>>& kernels_in(const KernelModule& module) {
 template <class T>
 void add_module(std::vector<Kernel<T>>& kernels, std::string_view name) {
   if (!why_no_kernels(name).empty()) return;
-  const std::string about = name == "contracted"       ? "contraction=on"
-                            : name == "other_compiler" ? "compiler=other"
-                                                       : fmt::format("isa={}", name);
   for (Kernel<T> kernel : kernels_in<T>(load_kernels(name))) {
-    kernel.change = full_change(kernel.change, about, name == best_lanes());
+    const std::string about = name == "contracted"       ? "contraction=on"
+                              : name == "other_compiler" ? "compiler=other"
+                                                         : fmt::format("isa={}", kernel.isa);
+    kernel.change = full_change(kernel.change, about, kernel.isa == best_lanes() || name == "combined");
     kernels.push_back(std::move(kernel));
   }
 }

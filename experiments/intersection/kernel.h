@@ -101,6 +101,7 @@ struct Kernel {
   std::string_view compiler;             // "gcc 12.2.0"
   std::string_view isa;                  // "scalar", or the instruction set of its lanes
   uint32_t bytes = 0;                    // that a test reads of a triangle
+  bool combines = false;                 // whether several factors differ at once: none of the star
   /// `work.rays_a_visit` must be a multiple of `rays`.
   std::unique_ptr<KernelPass> (*prepare)(const Workload<T>& work);
 };

@@ -20,17 +20,38 @@ endif()
 add_library(raysweep_contraction INTERFACE)
 target_compile_options(raysweep_contraction INTERFACE -ffp-contract=fast)
 
+# How the kernels of `target` are compiled.
+function(raysweep_kernel_flags target isa lanes contracted)
+  target_link_libraries(${target} PRIVATE raysweep_flags PkgConfig::HWY $<$<BOOL:${contracted}>:raysweep_contraction>)
+  target_compile_definitions(${target} PRIVATE
+    RAYSWEEP_KERNELS_NAME="${isa}" RAYSWEEP_KERNELS_LANES=${lanes} RAYSWEEP_KERNELS_CONTRACTED=${contracted})
+  target_compile_options(${target} PRIVATE ${ARGN} -fvisibility=hidden)
+  if(RAYSWEEP_SANITIZE)
+    target_compile_definitions(${target} PRIVATE RAYSWEEP_CALLS_STAY)
+    target_compile_options(${target} PRIVATE -Og)
+  endif()
+endfunction()
+
 # raysweep_kernels(NAME isa lanes contracted FLAGS…): a module by this project's own compiler.
 function(raysweep_kernels name isa lanes contracted)
   add_library(kernels_${name} MODULE ${kernel_source})
-  target_link_libraries(kernels_${name} PRIVATE raysweep_flags PkgConfig::HWY $<$<BOOL:${contracted}>:raysweep_contraction>)
-  target_compile_definitions(kernels_${name} PRIVATE
-    RAYSWEEP_KERNELS_NAME="${isa}" RAYSWEEP_KERNELS_LANES=${lanes} RAYSWEEP_KERNELS_CONTRACTED=${contracted})
-  target_compile_options(kernels_${name} PRIVATE ${ARGN} -fvisibility=hidden)
-  if(RAYSWEEP_SANITIZE)
-    target_compile_definitions(kernels_${name} PRIVATE RAYSWEEP_CALLS_STAY)
-    target_compile_options(kernels_${name} PRIVATE -Og)
-  endif()
+  raysweep_kernel_flags(kernels_${name} ${isa} ${lanes} ${contracted} ${ARGN})
+  set_target_properties(kernels_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${RAYSWEEP_MODULE_DIR})
+  add_dependencies(raysweep kernels_${name})
+endfunction()
+
+# raysweep_combined_kernels(NAME isa lanes FLAGS…): the module of all that the factors of the tracer's methods can be at once, the
+# methods beside each other.
+function(raysweep_combined_kernels name isa lanes)
+  add_library(kernels_${name} MODULE combined_module.cpp)
+  raysweep_kernel_flags(kernels_${name} ${isa} ${lanes} 0 ${ARGN})
+  foreach(method MollerTrumbore Morozov WoopWatertight)
+    add_library(kernels_${name}_${method} OBJECT combined_kernels.cpp)
+    set_target_properties(kernels_${name}_${method} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    raysweep_kernel_flags(kernels_${name}_${method} ${isa} ${lanes} 0 ${ARGN})
+    target_compile_definitions(kernels_${name}_${method} PRIVATE RAYSWEEP_METHOD=${method})
+    target_link_libraries(kernels_${name} PRIVATE kernels_${name}_${method})
+  endforeach()
   set_target_properties(kernels_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${RAYSWEEP_MODULE_DIR})
   add_dependencies(raysweep kernels_${name})
 endfunction()
@@ -47,6 +68,17 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 else()
   raysweep_kernels(neon neon 1 0)
   raysweep_kernels(contracted baseline 0 1)
+endif()
+
+# Some thousand kernels.
+option(RAYSWEEP_COMBINED_KERNELS "Build the tracer's methods with all factors changed at once, too: some minutes" OFF)
+if(RAYSWEEP_COMBINED_KERNELS)
+  raysweep_combined_kernels(combined baseline 0)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    raysweep_combined_kernels(combined_lanes avx2 1 ${avx2})
+  else()
+    raysweep_combined_kernels(combined_lanes neon 1)
+  endif()
 endif()
 
 # By the other compiler, without sanitizers: compilers do not share them.
@@ -73,7 +105,7 @@ if(other AND NOT CMAKE_CROSSCOMPILING)
 endif()
 
 # What an earlier configuration has left behind.
-foreach(name avx512 avx2 sse4 neon contracted other_compiler)
+foreach(name avx512 avx2 sse4 neon contracted combined combined_lanes other_compiler)
   if(NOT TARGET kernels_${name})
     file(REMOVE ${RAYSWEEP_MODULE_DIR}/kernels_${name}.so)
   endif()

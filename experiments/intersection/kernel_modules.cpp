@@ -31,6 +31,8 @@ constexpr auto known = std::to_array<Known>({
   {{"neon", "lanes, compiled for what every processor of this architecture has"}, 0, true},
       {{"contracted", "a·b + c as one operation"}, 0, false},
 #endif
+      {{"combined", "the tracer's methods with several factors changed at once"}, 0, false},
+      {{"combined_lanes", "the same, eight rays or triangles at a time"}, HWY_ARCH_X86 ? HWY_AVX2 : 0, false},
       {{"other_compiler", "by GCC where the program is by Clang, and the other way round"}, 0, false},
 });
 

@@ -13,13 +13,10 @@
 
 #include "experiments/intersection/kernel.h"
 #include "experiments/intersection/lanes.h"
+#include "experiments/intersection/layout.h"
 #include "tracer/intersect/solve.h"
 
 namespace raysweep {
-
-/// How triangles lie in memory: one after the other; each of their numbers in an array of its own; blocks of
-/// as many as there are lanes, in which each number has a vector.
-enum class Layout { aos, soa, blocks };
 
 /// What the lanes of a pass add up, and where their answers go, if anybody wants them.
 template <Variant variant, class V>

@@ -97,6 +97,9 @@ class Lanes {
   friend Mask both(const Mask& a, const Mask& b) {
     return mask([&](size_t i) { return hn::And(a.parts[i], b.parts[i]); });
   }
+  friend Mask negation(const Mask& m) {
+    return mask([&](size_t i) { return hn::Not(m.parts[i]); });
+  }
   friend bool none(const Mask& m) {
     auto any = m.parts[0];
     for (size_t i = 1; i < part_count; ++i) any = hn::Or(any, m.parts[i]);
@@ -108,6 +111,16 @@ class Lanes {
   }
   friend Lanes greatest(const Lanes& /*type*/) { return Lanes(std::numeric_limits<T>::max()); }
   friend Lanes not_given(const Lanes& /*type*/) { return Lanes(std::numeric_limits<T>::quiet_NaN()); }
+
+  /// As for one number, by the instruction of the lanes' own set: AVX-512's is nearer than that of one float.
+  friend Lanes approximate_reciprocal(const Lanes& x) requires std::same_as<T, float> {
+    const Lanes y = each([&](size_t i) { return hn::ApproximateReciprocal(x.parts_[i]); });
+#if HWY_ARCH_ARM
+    return y + y - x * (y * y);
+#else
+    return y;
+#endif
+  }
 
   /// The first `count` lanes.
   [[nodiscard]] static Mask first(size_t count) {

@@ -26,9 +26,11 @@ template <class T>
 std::vector<Subject<T>> list_subjects() {
   std::vector<Subject<T>> subjects = all_subjects<T>();
   for (const Kernel<T>& kernel : all_kernels<T>()) {
-    if (kernel.change != contracted && kernel.change != by_other) continue;
+    const bool is_combination = kernel.combines && kernel.rays == 1 && kernel.triangles == 1;
+    if (kernel.change != contracted && kernel.change != by_other && !is_combination) continue;
     subjects.push_back({kernel.method, kernel.change, kernel.variant,
-                        [&kernel](const Trials<T>& trials) { return hits_by(kernel, trials); }});
+                        [&kernel](const Trials<T>& trials) { return hits_by(kernel, trials); },
+                        is_combination});
   }
   return subjects;
 }

@@ -15,13 +15,8 @@ template <class Method, Variant variant, class T>
 Hits<T> find_hits(const Trials<T>& trials) {
   std::vector<TriangleFor<Method, variant, T>> constants;
   constants.reserve(trials.triangles.size());
-  for (const Triangle<T>& triangle : trials.triangles) {
-    if constexpr (variant.data == Data::bare) {
-      constants.push_back(triangle);
-    } else {
-      constants.push_back(Method::prepare(triangle));
-    }
-  }
+  for (const Triangle<T>& triangle : trials.triangles)
+    constants.push_back(data_for<Method, variant>(triangle));
   return hits_of(trials, [&](const Trial<T>& trial, uint32_t triangle) {
     return solve<Method, variant, T>(trial.ray, constants[triangle], trial.t_max);
   });
@@ -85,26 +80,6 @@ const std::vector<Inapplicable>& inapplicable_subjects() {
     return list;
   }();
   return all;
-}
-
-std::string change_of(const Variant& base, const Variant& variant) {
-  const auto before = factor_names(base), after = factor_names(variant);
-  for (size_t i = 0; i < before.size(); ++i) {
-    if (before[i].value != after[i].value)
-      return std::string(after[i].factor) + "=" + std::string(after[i].value);
-  }
-  return "base";
-}
-
-std::vector<FactorName> factor_names(const Variant& v) {
-  const auto output = v.output == Output::hit ? "hit" : v.output == Output::t ? "t" : "weights";
-  return {{"division", v.division == Division::early ? "early" : "late"},
-          {"reciprocal", v.reciprocal == Reciprocal::exact ? "exact" : "newton"},
-          {"order", v.order == Order::distance_first ? "distance_first" : "weights_first"},
-          {"edges", v.edges == Edges::inclusive ? "inclusive" : "strict"},
-          {"early_out", v.early_out == EarlyOut::yes ? "yes" : "no"},
-          {"output", output},
-          {"data", v.data == Data::bare ? "bare" : "precomputed"}};
 }
 
 }  // namespace raysweep

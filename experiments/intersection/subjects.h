@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/intersection/judged.h"
+#include "experiments/intersection/variant_names.h"
 #include "tracer/intersect/variant.h"
 
 namespace raysweep {
@@ -18,7 +19,8 @@ struct Subject {
   std::string change;  // what differs from the method's base variant: "division=late"; "base" for itself
   Variant variant;
   std::function<Hits<T>(const Trials<T>&)>
-      find_hits;  // constants of triangles are computed ahead or in each test
+      find_hits;          // constants of triangles are computed ahead or in each test
+  bool combines = false;  // whether several factors differ at once: none of the star
 };
 
 /// A variant that a method does not have, and why not.
@@ -38,15 +40,5 @@ template <class T>
 
 /// Those that do not, of both precisions.
 [[nodiscard]] const std::vector<Inapplicable>& inapplicable_subjects();
-
-/// The values of a variant's factors, by the names of records: division, reciprocal, order, edges, early_out,
-/// output, data.
-struct FactorName {
-  std::string_view factor, value;
-};
-[[nodiscard]] std::vector<FactorName> factor_names(const Variant& variant);
-
-/// What differs from `base`, in one factor: "division=late"; "base" where nothing does.
-[[nodiscard]] std::string change_of(const Variant& base, const Variant& variant);
 
 }  // namespace raysweep

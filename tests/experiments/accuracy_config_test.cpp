@@ -92,8 +92,8 @@ TEST(accuracy_plan, has_every_cell_once_and_names_what_there_is_not) {
   EXPECT_EQ(json["cells"].size(), plan.cell_count());
   const size_t levels = case_of("S1").difficulties.size() + case_of("D5").difficulties.size();
   EXPECT_EQ(plan.batches.size(), 2 * levels);
-  EXPECT_EQ(plan.cell_count() + levels * plan.left_out.size(), levels * 2 * 2 * 11)
-      << "two methods and precisions, eleven variants, each run or left out";
+  EXPECT_EQ(plan.cell_count() + levels * plan.left_out.size(), levels * 2 * 2 * 13)
+      << "two methods and precisions, thirteen variants, each run or left out";
   bool names_late_angles = false;
   for (const auto& one : json["left_out"])
     names_late_angles =
@@ -113,8 +113,8 @@ TEST(accuracy_plan, has_the_listed_variants_alone_and_names_who_lacks_one) {
   ASSERT_EQ(json["left_out"].size(), 1u);
   EXPECT_EQ(json["left_out"][0]["method"], "angle_sum");
   const std::string unknown = errors(head + "[sweep]\nvariant = \"rays=8\"\n");
-  EXPECT_TRUE(
-      unknown.starts_with("a.toml:4: unknown variant \"rays=8\"; possible: base, star, division=late, "))
+  EXPECT_TRUE(unknown.starts_with(
+      "a.toml:4: unknown variant \"rays=8\"; possible: base, star, product, division=late, "))
       << unknown << ": packets find no more and no less than single rays";
 }
 

@@ -143,7 +143,7 @@ TEST_F(AccuracyRun, bad_configs_are_refused_whole_with_file_line_and_possible_va
   refused(head + "[sweep]\nmethod = \"wlad\"\nvariant = \"full\"\n",
           "tiny.toml:5: unknown method \"wlad\"; built here: moller_trumbore, ");
   refused(head + "[sweep]\nmethod = \"wlad\"\nvariant = \"full\"\n",
-          "tiny.toml:6: unknown variant \"full\"; possible: base, star");
+          "tiny.toml:6: unknown variant \"full\"; possible: base, star, product");
   refused("experiment = \"x\"\nkind = \"kernels\"\n",
           "tiny.toml:2: unknown kind \"kernels\"; built here: picture, accuracy, kernel, pixels");
   refused(tiny, "--budget is not for an accuracy experiment", {"--budget", "1"});

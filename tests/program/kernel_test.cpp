@@ -155,7 +155,7 @@ TEST_F(KernelRun, bad_configs_are_refused_whole) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("tiny.toml:5: unknown method \"wlad\"; built here: "), std::string::npos)
       << result.err;
-  EXPECT_NE(result.err.find("tiny.toml:6: unknown variants \"full\"; possible: base, star"),
+  EXPECT_NE(result.err.find("tiny.toml:6: unknown variants \"full\"; possible: base, star, product"),
             std::string::npos)
       << result.err;
   EXPECT_FALSE(std::filesystem::exists(folder.file("bad")));

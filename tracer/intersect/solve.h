@@ -172,7 +172,13 @@ template <Variant variant, class V, class Test>
   } else {
     if (ends_at(test.encloses())) return solution;
   }
-  if constexpr (variant.output != Output::hit) solution.t = test.t();
+  if constexpr (variant.early_out == EarlyOut::folded) {
+    const V b = select(solution.accepted, V(1), V(0));
+    solution.t = b * test.t() + b - V(1);
+    solution.accepted = negation(solution.t < V(0));
+  } else if constexpr (variant.output != Output::hit) {
+    solution.t = test.t();
+  }
   return solution;
 }
 
@@ -180,6 +186,16 @@ template <Variant variant, class V, class Test>
 template <class Method, Variant variant, class V>
 using TriangleFor =
     std::conditional_t<variant.data == Data::bare, Triangle<V>, typename Method::template Prepared<V>>;
+template <class Method, Variant variant, class V>
+[[nodiscard]] TriangleFor<Method, variant, V> data_for(const Triangle<V>& triangle) {
+  if constexpr (variant.data == Data::bare) {
+    return triangle;
+  } else if constexpr (variant.data == Data::from_double) {
+    return prepare_in<Method, double>(triangle);
+  } else {
+    return Method::prepare(triangle);
+  }
+}
 
 /// Where `ray` meets `triangle` with 0 < t < t_max, for all lanes of `V` at once. A ray parallel to the plane
 /// misses, and so does one where anything is NaN or infinite, but for t_max.

@@ -44,4 +44,23 @@ void for_each_variant(Visit&& visit) {
   (std::make_index_sequence<variant_star<Method>().size()>());
 }
 
+/// The same for all that factors can be at once: as many as 288 of a method.
+template <class Method, class V, class Visit>
+void for_each_combination(Visit&& visit) {
+  const auto at = [&]<size_t number>() {
+    constexpr Variant variant = combination(number);
+    if constexpr (applies<Method, V>(variant)) visit.template operator()<variant>();
+  };
+  // Row by row: Clang folds no more than 256 at once.
+  constexpr size_t row_length = 16;
+  static_assert(combination_count % row_length == 0);
+  const auto row = [&]<size_t first, size_t... i>(std::index_sequence<first>, std::index_sequence<i...>) {
+    (at.template operator()<first + i>(), ...);
+  };
+  [&]<size_t... r>(std::index_sequence<r...>) {
+    (row(std::index_sequence<r * row_length>(), std::make_index_sequence<row_length>()), ...);
+  }
+  (std::make_index_sequence<combination_count / row_length>());
+}
+
 }  // namespace raysweep

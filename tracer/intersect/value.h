@@ -7,6 +7,8 @@
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 #include "tracer/math/vec3.h"
@@ -19,6 +21,7 @@ namespace raysweep {
 
 // Truth values: what comparisons give.
 [[nodiscard]] constexpr bool both(bool a, bool b) { return a && b; }
+[[nodiscard]] constexpr bool negation(bool mask) { return !mask; }
 [[nodiscard]] constexpr bool none(bool mask) { return !mask; }
 /// `yes` where `mask` holds, else `no`.
 template <std::floating_point T>
@@ -47,13 +50,22 @@ template <std::floating_point T>
   return std::sqrt(x);
 }
 
+// 1/x so near that one step of Newton's mends a float. An estimate of doubles has 8 to 14 bits where there is
+// one, so that two or three steps would follow; and to go through float would cut the range of the exponent:
+// double has no such overload.
 #if defined(__SSE__)
-/// 1/x with a relative error of at most 1.5·2⁻¹², by the instruction for it (Intel's manual: RCPSS). There is
-/// none for double before AVX-512, and to go through float would cut the range of the exponent: double has no
-/// such overload. Neither have other processors yet, whose estimates are coarser than one step can mend.
+/// With a relative error of at most 1.5·2⁻¹², by the instruction for it (Intel's manual: RCPSS).
 template <std::same_as<float> T>  // a double would be converted
 [[nodiscard]] T approximate_reciprocal(T x) {
   return _mm_cvtss_f32(_mm_rcp_ss(_mm_set_ss(x)));
+}
+#elif defined(__aarch64__)
+/// With a relative error of about 2⁻¹⁶: the instruction for it has 8 bits (Arm's manual: FRECPE), to which a
+/// first step, FRECPS, belongs.
+template <std::same_as<float> T>
+[[nodiscard]] T approximate_reciprocal(T x) {
+  const float y = vrecpes_f32(x);
+  return y * vrecpss_f32(x, y);
 }
 #endif
 

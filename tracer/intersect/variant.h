@@ -13,13 +13,16 @@ enum class Reciprocal { exact, newton };
 /// Whether edges and corners belong to the triangle.
 enum class Edges { inclusive, strict };
 /// Whether a test ends at the first comparison that fails; if not, all is computed and decided at the end.
-enum class EarlyOut { yes, no };
+/// `folded`: decided by no branch at all, but within t, as Morozov 2011, listing 1, returns it: b·t + b − 1,
+/// where b is 1 or 0, and what is negative is a miss. A t that is infinite or NaN makes that NaN, a false
+/// hit; and t is as coarse as t + 1.
+enum class EarlyOut { yes, no, folded };
 /// What is asked for. A hit that is asked for t has no weights, one not asked for t has neither.
 enum class Output { hit, t, weights };
-/// Whether constants are computed ahead or within each test.
-enum class Data { bare, precomputed };
+/// Whether constants are computed within each test or ahead; `from_double`: ahead, in double, and rounded to
+/// float once.
+enum class Data { bare, precomputed, from_double };
 
-/// Morozov's branch-free acceptance by the value `b·t + b − 1` is none of these: it replaces the miss itself.
 struct Variant {
   Division division = Division::early;
   Reciprocal reciprocal = Reciprocal::exact;
@@ -47,8 +50,10 @@ template <class Method>
 template <class Method, class V>
 [[nodiscard]] constexpr std::string_view why_not(Variant variant) {
   if (!Formula<Method, V>) return "the method needs angles, which these numbers do not have";
-  if (variant.data == Data::precomputed && !has_constants<Method>)
+  if (variant.data != Data::bare && !has_constants<Method>)
     return "the method has no constants to compute ahead";
+  if (variant.data == Data::from_double && !std::same_as<V, float>)
+    return "there are no wider numbers to round constants from";
   if (variant.output == Output::weights && !Method::gives_weights)
     return "the method finds no weights, only whether the point is inside";
   if (variant.order == Order::weights_first && !Ratios<Method, V>)
@@ -62,6 +67,8 @@ template <class Method, class V>
   if (variant.reciprocal == Reciprocal::newton && variant.division == Division::late &&
       variant.output == Output::hit)
     return "nothing is divided";
+  if (variant.early_out == EarlyOut::folded && variant.output == Output::hit)
+    return "the decision is folded into t, which is not asked for";
   return "";
 }
 
@@ -74,7 +81,7 @@ template <class Method, class V>
 template <class Method>
 [[nodiscard]] constexpr auto variant_star() {
   constexpr Variant base = base_variant<Method>();
-  std::array<Variant, 9> star;
+  std::array<Variant, 11> star;
   star.fill(base);
   star[1].division = base.division == Division::early ? Division::late : Division::early;
   star[2].reciprocal = Reciprocal::newton;
@@ -84,7 +91,31 @@ template <class Method>
   star[6].output = Output::hit;
   star[7].output = base.output == Output::weights ? Output::t : Output::weights;
   star[8].data = base.data == Data::bare ? Data::precomputed : Data::bare;
+  star[9].early_out = EarlyOut::folded;
+  star[10].data = Data::from_double;
   return star;
+}
+
+/// How many variants there are if all factors change at once. Constants from double are not among them: a
+/// test does not know where they come from.
+constexpr size_t combination_count = size_t{2} * 2 * 2 * 2 * 2 * 3 * 3;
+
+/// The one of this number, below `combination_count`: whether it applies to a method or not.
+[[nodiscard]] constexpr Variant combination(size_t number) {
+  const auto take = [&](size_t count) {
+    const size_t digit = number % count;
+    number /= count;
+    return digit;
+  };
+  Variant variant;
+  variant.division = Division(take(2));
+  variant.reciprocal = Reciprocal(take(2));
+  variant.order = Order(take(2));
+  variant.edges = Edges(take(2));
+  variant.data = Data(take(2));
+  variant.early_out = EarlyOut(take(3));
+  variant.output = Output(take(3));
+  return variant;
 }
 
 }  // namespace raysweep

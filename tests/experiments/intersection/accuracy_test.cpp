@@ -119,7 +119,7 @@ TEST(accuracy, each_variant_is_a_subject_or_has_a_reason_not_to_be) {
     add(one.method, one.change, one.precision);
   }
   EXPECT_EQ(of_method.size(), study_method_names().size());
-  for (const auto& [method, count] : of_method) EXPECT_EQ(count, 2 * 9u) << method;
+  for (const auto& [method, count] : of_method) EXPECT_EQ(count, 2 * 11u) << method;
 }
 
 TEST(accuracy, of_variants_that_give_less_has_the_same_decisions_and_no_number_that_is_missing) {

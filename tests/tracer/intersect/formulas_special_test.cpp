@@ -17,16 +17,14 @@ class FormulasSpecial : public testing::Test {
   using T = Real;
   static constexpr T far = std::numeric_limits<T>::infinity();
 
-  /// Calls `visit(name, hit)` with what each variant of each method answers.
+  /// Calls `visit(name, hit)` with what each variant of each method answers, but for those that fold their
+  /// decision into t: what is no number is no miss for them.
   template <class Visit>
   static void for_each_answer(const Ray<T>& ray, const Triangle<T>& triangle, T t_max, Visit&& visit) {
     for_each_study_method([&]<class Method>(Method) {
       for_each_variant<Method, T>([&]<Variant variant> {
-        if constexpr (variant.data == Data::bare) {
-          visit(Method::name, solve<Method, variant>(ray, triangle, t_max));
-        } else {
-          visit(Method::name, solve<Method, variant>(ray, Method::prepare(triangle), t_max));
-        }
+        if constexpr (variant.early_out != EarlyOut::folded)
+          visit(Method::name, solve<Method, variant>(ray, data_for<Method, variant>(triangle), t_max));
       });
     });
   }
@@ -82,6 +80,49 @@ TYPED_TEST(FormulasSpecial, only_hits_nearer_than_the_limit_count) {
   EXPECT_EQ(hits(T(1.875)), 0);
   EXPECT_EQ(hits(0), 0);
   EXPECT_EQ(hits(-1), 0);
+}
+
+/// The base variant of `Method` with another way to miss.
+template <class Method>
+constexpr Variant base_with(EarlyOut early_out) {
+  Variant variant = base_variant<Method>();
+  variant.early_out = early_out;
+  return variant;
+}
+
+// The catalogue's N8: 0·∞ is no number, and so no miss.
+TYPED_TEST(FormulasSpecial, a_decision_folded_into_t_is_a_false_hit_where_the_ray_is_parallel_to_the_plane) {
+  using T = TypeParam;
+  const Triangle<T> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Ray<T> ray{{-1, T(0.25), 1}, {1, 0, 0}};
+  constexpr Variant folded = base_with<Morozov>(EarlyOut::folded);
+  const auto hit = solve<Morozov, folded>(ray, Morozov::prepare(triangle), this->far);
+  ASSERT_TRUE(hit);
+  EXPECT_TRUE(std::isnan(hit->t));
+  constexpr Variant compared = base_with<Morozov>(EarlyOut::no);
+  EXPECT_FALSE((solve<Morozov, compared>(ray, Morozov::prepare(triangle), this->far)));
+}
+
+TYPED_TEST(FormulasSpecial, a_decision_folded_into_t_is_the_same_elsewhere_and_t_as_coarse_as_t_and_1) {
+  using T = TypeParam;
+  constexpr T epsilon = std::numeric_limits<T>::epsilon();
+  LatticeRandom random(12);
+  int hits = 0, coarser = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const LatticePair pair = random.large_pair(1 << 20);
+    if (Cramer(pair).det == 0) continue;
+    const Ray<T> ray = pair.ray<T>(1 << 20);
+    const auto prepared = Morozov::prepare(pair.triangle<T>(1 << 20));
+    const auto some = solve<Morozov, base_with<Morozov>(EarlyOut::folded)>(ray, prepared, this->far);
+    const auto other = solve<Morozov, base_with<Morozov>(EarlyOut::no)>(ray, prepared, this->far);
+    ASSERT_EQ(some.has_value(), other.has_value()) << i;
+    if (!some) continue;
+    ASSERT_LE(std::abs(some->t - other->t), epsilon * (1 + other->t)) << i;
+    hits++;
+    coarser += some->t != other->t;
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(coarser, hits / 10);
 }
 
 /// Of how many rays some variant of a method claims a hit.

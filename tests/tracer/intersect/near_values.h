@@ -72,11 +72,7 @@ class NearVariant {
  private:
   static auto found(const Ray<T>& ray, const Triangle<T>& triangle) {
     const T far = std::numeric_limits<T>::infinity();
-    if constexpr (variant.data == Data::bare) {
-      return solve<Method, variant>(ray, triangle, far);
-    } else {
-      return solve<Method, variant>(ray, Method::prepare(triangle), far);
-    }
+    return solve<Method, variant>(ray, data_for<Method, variant>(triangle), far);
   }
 
   long double tolerance_;
