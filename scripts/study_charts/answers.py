@@ -3,6 +3,7 @@
 import dataclasses
 
 from study_charts.accuracy import Accuracy, class_of, extra_rays, false_hits, false_misses, gravity, missed_rays
+from study_charts.chart_combined import adding_up, failing_more
 from study_charts.kernels import Kernel
 from study_charts.numbers import per_million, power, short
 
@@ -155,18 +156,26 @@ def breaks(accuracy, precision):
     return sentences
 
 
+def combinations(accuracy, kernels):
+    """What variants with several changes do; nothing without any."""
+    sentences = adding_up(kernels) if kernels else []
+    failing = failing_more(accuracy) if accuracy else None
+    return sentences + ([failing] if failing else [])
+
+
 def answers(accuracy, kernels):
     """All that can be answered; `accuracy` and `kernels` may be None. What is missing is said in place of its answer."""
     no_time = ["No kernel run was given: nothing is known of time."]
     no_cases = ["No accuracy run was given: nothing is known of failures."]
     cost = cost_of_safety(accuracy, kernels) if accuracy and kernels else ["It needs an accuracy run and a kernel run."]
     broken = [sentence for p in accuracy.precisions for sentence in breaks(accuracy, p)] if accuracy else no_cases
+    combined = combinations(accuracy, kernels)
     return [
         Answer("Which method is fastest?", fastest(kernels) if kernels else no_time),
         Answer("Which is safest?", safest(accuracy) if accuracy else no_cases),
         Answer("What does safety cost?", cost or ["No safe method was timed."]),
         Answer(f"Where does each break? (more than {100 * BROKEN:g} % of the rays pass a mesh, or of the hits or misses are wrong elsewhere)", broken),
-    ]
+    ] + ([Answer("Do changes add up?", combined)] if combined else [])
 
 
 def class_rows(accuracy):

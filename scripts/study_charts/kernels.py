@@ -26,11 +26,30 @@ class Workload:
         return names.get(self.protocol, self.protocol) + (f" of {self.scene}" if self.scene else "")
 
 
+# The factors of a formula's variant; all else in a change is how its numbers are laid out and compiled.
+FACTORS = ("division", "reciprocal", "order", "edges", "early_out", "output", "data")
+
+
 @dataclasses.dataclass(frozen=True)
 class Kernel:
     method: str
     change: str
     precision: str
+
+    @property
+    def factors(self):
+        """What is changed of the formula: ("division=late", "edges=strict")."""
+        return tuple(c for c in self.change.split(",") if c.split("=")[0] in FACTORS)
+
+    @property
+    def form(self):
+        """What is changed besides: ("rays=8", "isa=avx2")."""
+        return tuple(c for c in self.change.split(",") if c != "base" and c not in self.factors)
+
+    @property
+    def combines(self):
+        """Whether several changes meet, of the formula or of it and its form: such a kernel is none of the star."""
+        return len(self.factors) + bool(self.form) > 1 and bool(self.factors)
 
 
 def workload_of(r):
@@ -60,9 +79,9 @@ class Kernels:
         self.precisions = in_order(r["precision"] for r in self.records)
         self.workloads = in_order(workload_of(r) for r in self.records)
 
-    def kernels(self, workload=None):
-        """All kernels, or those that ran on `workload`."""
-        return in_order(k for k, w in self._rounds if workload in (None, w))
+    def kernels(self, workload=None, combined=False):
+        """All kernels of the star, or those that ran on `workload`; `combined`: those that combine several changes instead."""
+        return in_order(k for k, w in self._rounds if workload in (None, w) and k.combines == combined)
 
     def facts(self, kernel):
         """What a record says of its kernel: variant, bytes, isa, …"""

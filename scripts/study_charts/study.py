@@ -4,6 +4,7 @@ import dataclasses
 
 from study_charts.accuracy import Accuracy
 from study_charts.answers import watertight_methods
+from study_charts.chart_combined import combined_chart
 from study_charts.chart_cost import cost_charts
 from study_charts.chart_difficulty import difficulty_charts
 from study_charts.chart_failures import failure_charts
@@ -71,6 +72,7 @@ def charts_of(study):
     if kernels:
         safe = {m for p in accuracy.precisions for m in watertight_methods(accuracy, p)} if accuracy else set()
         yield price_chart(kernels, looks, safe)
+        yield combined_chart(kernels, looks)
         yield rate_chart(kernels, looks)
         yield bar_chart(kernels, accuracy, looks)
     yield from pixel_charts(study.pixels, looks)
