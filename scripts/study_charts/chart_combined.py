@@ -18,16 +18,25 @@ FULL = {"output": "weights", "edges": "inclusive"}
 
 @dataclasses.dataclass(frozen=True)
 class Combined:
-    """`expected`: the product of what each change does alone to the time of the same form's base; `found`: what all do together."""
+    """`expected`: the product of what each change does alone to the time of the same form's base; `found`: what all do together;
+    `noise`: what their intervals leave open between the two, as a factor above 1, infinite without intervals."""
 
     kernel: Kernel
     expected: float
     found: float
+    noise: float
 
     @property
     def gap(self):
         """How far off the expectation is, as a factor above 1."""
         return math.exp(abs(math.log(self.found / self.expected)))
+
+
+def noise_of(ratios):
+    """Of a product of independent ratios: half the widths of their intervals, as logarithms, add up in squares."""
+    if any(r.low is None for r in ratios):
+        return math.inf
+    return math.exp(math.sqrt(sum((math.log(r.high / r.low) / 2) ** 2 for r in ratios)))
 
 
 def combined_on(kernels, workload):
@@ -43,23 +52,27 @@ def combined_on(kernels, workload):
         ratios = [kernels.ratio(single, base, workload) for single in singles]
         whole = kernels.ratio(kernel, base, workload)
         if whole and all(ratios):
-            found.append(Combined(kernel, math.prod(r.value for r in ratios), whole.value))
+            found.append(Combined(kernel, math.prod(r.value for r in ratios), whole.value, noise_of([*ratios, whole])))
     return found
 
 
 def groups_of(kernels):
-    """(form, method) → (workload, variants), each form on the first workload where it was timed."""
+    """(form, method) → (workload, variants), each form on the headline, or on the first workload where it was timed."""
     groups = {}
-    for workload in kernels.workloads:
+    for workload in in_order([kernels.headline(), *kernels.workloads]):
         for one in combined_on(kernels, workload):
             group = groups.setdefault((one.kernel.form, one.kernel.method), (workload, []))
             if group[0] == workload:
                 group[1].append(one)
-    return groups
+    return dict(sorted(groups.items()))
 
 
 def form_text(form):
-    return ", ".join(form) or "one ray and triangle"
+    """ "8 rays at once, avx2": counts of what goes together, else values."""
+    words = []
+    for factor, value in (change.split("=") for change in form):
+        words.append(f"{value} {factor} at once" if factor in ("rays", "triangles") else value)
+    return ", ".join(words) or "one ray and triangle"
 
 
 def quickest(kernels, workload, variants):
@@ -73,15 +86,18 @@ def adding_up(kernels):
     groups, sentences = groups_of(kernels), []
     for form in in_order(form for form, _ in groups):
         of_form = {method: group for (f, method), group in groups.items() if f == form}
-        gaps = sorted(v.gap for _, variants in of_form.values() for v in variants)
+        found = [v for _, variants in of_form.values() for v in variants]
+        gaps = sorted(v.gap for v in found)
+        beyond = 100 * sum(v.gap > v.noise for v in found) / len(found)
         share = [100 * (gaps[int(q * (len(gaps) - 1))] - 1) for q in (0.5, 0.95)]
         workload = next(iter(of_form.values()))[0]
-        text = f"{form_text(form).capitalize()}, {workload}: of {len(gaps):,} combinations half are within {short(share[0], 2)} % of what their changes do alone, 95 in 100 within {short(share[1], 2)} %."  # fmt: skip
+        text = f"{form_text(form).capitalize()}, {workload}: of {len(gaps):,} combinations half are within {short(share[0], 2)} % of what their changes do alone, 95 in 100 within {short(share[1], 2)} %; in {beyond:.0f} of 100 that is more than their intervals leave open."  # fmt: skip
         for method, (workload, variants) in of_form.items():
             for precision in kernels.precisions:
                 best = quickest(kernels, workload, [v for v in variants if v.kernel.precision == precision])
                 if best:
-                    text += f" Quickest of {method} in {precision} that gives t and weights: {', '.join(best.kernel.factors)}, {short(100 * (best.found - 1), 2)} %."
+                    change = f"{100 * (best.found - 1):+.0f} %".replace("-", "−")
+                    text += f" Quickest of {method} in {precision} that gives t and weights: {', '.join(best.kernel.factors)}, {change} to its base."
         sentences.append(text)
     return sentences
 

@@ -224,6 +224,14 @@ class CombinedTest(unittest.TestCase):
         self.assertEqual([round(v.expected, 9) for v in found], [0.4, 0.5])
         self.assertEqual([round(v.found, 9) for v in found], [0.6, 0.5])
         self.assertEqual([round(v.gap, 9) for v in found], [1.5, 1.0])
+        self.assertEqual([v.noise for v in found], [math.inf, math.inf], "one round has no interval")
+        self.assertEqual(list(chart_combined.groups_of(kernels)), [((), "wald"), (("rays=8",), "wald")])
+
+    def test_noise_of_ratios_adds_up_in_squares(self):
+        ratio = numbers.Estimate(1.0, math.exp(-0.03), math.exp(0.03))
+        other = numbers.Estimate(1.0, math.exp(-0.04), math.exp(0.04))
+        self.assertAlmostEqual(chart_combined.noise_of([ratio, other]), math.exp(0.05))
+        self.assertEqual(chart_combined.form_text(("rays=8", "isa=avx2")), "8 rays at once, avx2")
 
     def test_combined_kernels_are_none_of_the_star(self):
         kernels = Kernels(self.records(**{"base": 10, "division=late": 8, "division=late,edges=strict": 6}))
