@@ -114,7 +114,9 @@ def cost_of_safety(accuracy, kernels):
         safe = Kernel(safest_method(accuracy, precision), "base", precision)
         price = kernels.price(safe, base[0], workload)
         if safe == base[0]:
-            sentences.append(f"Nothing, {precision}: {safe.method} is the safest and the fastest ({workload}).")
+            same = not_told_apart(kernels, precision, workload)
+            told = f", not told apart from {joined(k.method for k in same)}" if same else ""
+            sentences.append(f"Nothing, {precision}: {safe.method} is the safest and the fastest{told} ({workload}).")
         elif price:
             sentences.append(f"{precision.capitalize()}: {safe.method} takes {percent_text(price)} more time than {base[0].method}, the fastest ({workload}).")  # fmt: skip
         else:

@@ -151,7 +151,7 @@ def _panel(axes, workload, variants, look, title):
         of_it = [v for v in variants if v.kernel.precision == precision]
         fill = look.colour if precision == "float" else PAPER
         x, y = [v.expected for v in of_it], [v.found for v in of_it]
-        axes.plot(x, y, look.marker, color=look.colour, markerfacecolor=fill, markersize=3, alpha=0.7, markeredgewidth=0.6)
+        axes.plot(x, y, look.marker, color=look.colour, markerfacecolor=fill, markersize=3, alpha=0.7, markeredgewidth=0.6, rasterized=True)
     ends = [min(min(v.expected, v.found) for v in variants) / 1.1, max(max(v.expected, v.found) for v in variants) * 1.1]
     axes.plot(ends, ends, color=INK, linewidth=0.8)
     axes.set_xscale("log")

@@ -41,13 +41,15 @@ def miss_point(records):
 
 
 def points_of(accuracy, kernels, workload, class_id, measure):
-    """Of kernels that were both timed and judged."""
+    """Of kernels that were both timed and judged. Combined changes are not among them: there are too many."""
     points = []
     for method, change, precision in accuracy.changes():
         kernel = Kernel(method, change, precision)
         ns = kernels.ns(kernel, workload)
+        if kernel.combines or not ns:
+            continue
         found = measure(accuracy.of(method, precision, change, lambda case: class_of(case) == class_id))
-        if ns and found:
+        if found:
             points.append(Point(kernel, ns, *found))
     return points
 

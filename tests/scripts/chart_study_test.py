@@ -244,6 +244,14 @@ class CombinedTest(unittest.TestCase):
         self.assertIsNone(chart_combined.failing_more(Accuracy(records[:3])))
 
 
+    def test_combined_changes_are_no_marks_of_time_against_failures(self):
+        changes = ("base", "division=late", "division=late,edges=strict")
+        kernels = Kernels(self.records(**dict.fromkeys(changes, 10)))
+        accuracy = Accuracy([made.accuracy_record(change=change) for change in changes])
+        points = points_of(accuracy, kernels, Workload("random"), "W", error_point)
+        self.assertEqual([p.kernel.change for p in points], ["base", "division=late"])
+
+
 class MapTest(unittest.TestCase):
     def test_triangles_are_counted_in_the_cells_where_they_lie(self):
         record = {"x": [1.0, 0.01], "y": [1.0, 100.0], "hits": [[10, 10], [10, 10]], "false_misses": [[0, 5], [0, 0]]}
@@ -276,6 +284,14 @@ class Answers(unittest.TestCase):
         self.assertIn("tight_one takes 25 % (25 to 25) more time than quick_one", cost[0])
         self.assertEqual(breaks[0], "Float: every method holds in no case, and every one breaks in none.")
         self.assertEqual(breaks[1:], ["quick_one, float, of the other 1: W1 from 1.", "tight_one, float, of the other 1: holds in all."])
+
+    def test_safety_that_costs_nothing_is_told_with_those_that_are_not_slower(self):
+        accuracy = Accuracy([made.accuracy_record(method="tight"), made.accuracy_record(method="leaks", missed_rays=9)])
+        for unsteady, words in ((4.8, ""), (5.5, ", not told apart from leaks")):
+            tight = [4.8] * 5 + [unsteady] * 3
+            rounds = [("tight", n, ns) for n, ns in enumerate(tight)] + [("leaks", n, 5.0) for n in range(8)]
+            kernels = Kernels([made.kernel_record(method=m, round=n, seconds=made.seconds_of(ns)) for m, n, ns in rounds])
+            self.assertEqual(answers.cost_of_safety(accuracy, kernels), [f"Nothing, float: tight is the safest and the fastest{words} (random rays)."])
 
     def test_a_watertight_method_is_safer_than_one_that_breaks_less_often(self):
         broken = [made.accuracy_record(method="tight", case=c, mesh_rays=0, false_misses=500) for c in ("S1", "S2")]
