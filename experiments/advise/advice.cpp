@@ -74,7 +74,7 @@ std::string refusal(const std::vector<Prediction>& all, double tolerance) {
 Ranking rank(const std::vector<Advised>& all, double tolerance) {
   std::vector<size_t> keeping;
   for (size_t i = 0; i < all.size(); ++i)
-    if (all[i].predicted.keeps(tolerance)) keeping.push_back(i);
+    if (all[i].keeps(tolerance)) keeping.push_back(i);
   std::stable_sort(keeping.begin(), keeping.end(), [&](size_t a, size_t b) {
     return median(all[a].nanoseconds) < median(all[b].nanoseconds);
   });
@@ -95,7 +95,7 @@ std::optional<double> most_slower(const std::vector<Advised>& all, const Ranking
   if (!ranking.choice) return std::nullopt;
   double most = 0;
   for (size_t i = 0; i < all.size(); ++i) {
-    if (i == *ranking.choice || !all[i].predicted.keeps(tolerance)) continue;
+    if (i == *ranking.choice || !all[i].keeps(tolerance)) continue;
     const Estimate ratio = time_ratio(all[i], all[*ranking.choice]);
     if (!ratio.interval) return std::nullopt;
     most = std::max(most, 1 / ratio.interval->low - 1);
@@ -104,16 +104,18 @@ std::optional<double> most_slower(const std::vector<Advised>& all, const Ranking
 }
 
 std::string advice_text(const std::vector<Advised>& all, const Ranking& ranking, double tolerance) {
-  if (!ranking.choice) return refusal(predictions_of(all), tolerance) + ".";
+  if (!ranking.choice) return refusal(predictions_of(all), tolerance) + ", and none is measured to keep it.";
   const Advised& choice = all[*ranking.choice];
   std::string text = fmt::format("Take {}: ", name_of(choice.predicted.choice));
+  const char* const shown =
+      choice.predicted.keeps(tolerance) ? "" : " That it keeps it is measured, at 95 %, not promised.";
   if (!ranking.runner_up)
-    return text + fmt::format("nothing else can promise a hit tolerance of {}.", tolerance);
+    return text + fmt::format("nothing else keeps a hit tolerance of {}.{}", tolerance, shown);
   const Advised& next = all[*ranking.runner_up];
   const Estimate ratio = time_ratio(next, choice);
   const auto more = [](double r) { return 100 * (r - 1); };
-  text += fmt::format("of what can promise a hit tolerance of {} it takes least time. Next is {}, ",
-                      tolerance, name_of(next.predicted.choice));
+  text += fmt::format("of what keeps a hit tolerance of {} it takes least time.{} Next is {}, ", tolerance,
+                      shown, name_of(next.predicted.choice));
   if (!ratio.interval) return text + fmt::format("{:+.1f} %.", more(ratio.value));
   text += fmt::format("{:+.1f} % [{:.1f}, {:.1f}]", more(ratio.value), more(ratio.interval->low),
                       more(ratio.interval->high));

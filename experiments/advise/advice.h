@@ -53,21 +53,26 @@ struct Prediction {
 [[nodiscard]] std::optional<Prediction> first_that_keeps(const std::vector<Prediction>& all,
                                                          double tolerance);
 
-/// "no method … keeps a hit tolerance of 1e-12 here; the smallest that can be promised is 3.2e-15, by …"
+/// "no method can promise a hit tolerance of 1e-12; the smallest that can be is 3.2e-15, by …"
 [[nodiscard]] std::string refusal(const std::vector<Prediction>& all, double tolerance);
 
 /// One line of advice.
 struct Advised {
   Prediction predicted;
-  Measurement measured;             // its error as a share of the scene's size
+  Measurement measured;             // its errors as shares of the scene's size
   std::vector<double> nanoseconds;  // a ray, of each round; all lines have the same rounds
+
+  /// Whether it is promised to, or shown by measurement.
+  [[nodiscard]] bool keeps(double tolerance) const {
+    return predicted.keeps(tolerance) || measured.shown <= tolerance;
+  }
 };
 
 /// Indices of `all`; none where nothing keeps the tolerance.
 struct Ranking {
   std::optional<size_t> choice, runner_up;
 };
-/// Of those whose prediction keeps the tolerance the quickest by its median over the rounds, then the next.
+/// Of those that keep the tolerance the quickest by its median over the rounds, then the next.
 [[nodiscard]] Ranking rank(const std::vector<Advised>& all, double tolerance);
 
 /// How much longer `slower` takes than `quicker`: the median of the ratios of each round.

@@ -11,7 +11,10 @@ namespace raysweep {
 namespace {
 
 Measurement as_share(Measurement measured, double size) {
-  if (size > 0) measured.error /= size;
+  if (size > 0) {
+    measured.error /= size;
+    measured.shown /= size;
+  }
   return measured;
 }
 

@@ -22,7 +22,7 @@ struct SampleSize {
   uint64_t seed;
 };
 /// What predictions are made from; what is measured has to be on other rays.
-inline constexpr SampleSize predicted_sample{96, 72, 1}, measured_sample{128, 96, 2};
+inline constexpr SampleSize predicted_sample{96, 72, 1}, measured_sample{192, 144, 2};
 
 /// The first hits on triangles of rays as rendering sends them: primary ones through a picture's pixels, and
 /// from where each of them hits one towards the first light, one reflected and one diffuse. Refracted rays go

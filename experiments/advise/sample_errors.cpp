@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "experiments/advise/error_bounds.h"
 #include "experiments/intersection/oracle.h"
+#include "results/statistics/statistics.h"
 #include "tracer/intersect/all.h"
 #include "tracer/intersect/study.h"
 
@@ -77,7 +79,9 @@ Measurement measured(std::string_view method, const std::vector<SampledHit>& hit
       measurement.missed += exact.verdict == ExactVerdict::hit;
     }
   }
-  measurement.error = kept_error(std::move(errors));
+  measurement.error = kept_error(errors);
+  errors.resize(errors.size() + measurement.missed, std::numeric_limits<double>::infinity());
+  measurement.shown = shown_error(std::move(errors));
   return measurement;
 }
 
@@ -95,6 +99,15 @@ double kept_error(std::vector<double> errors) {
   const auto kept = errors.begin() + static_cast<std::ptrdiff_t>(index);
   std::nth_element(errors.begin(), kept, errors.end());
   return *kept;
+}
+
+double shown_error(std::vector<double> errors) {
+  if (errors.empty()) return 0;
+  const std::optional<int> rank = upper_bound_rank(static_cast<int>(errors.size()), kept_share);
+  if (!rank) return std::numeric_limits<double>::infinity();
+  const auto at = errors.end() - 1 - *rank;
+  std::nth_element(errors.begin(), at, errors.end());
+  return *at;
 }
 
 double predicted_error(std::string_view method, std::string_view precision,

@@ -1,6 +1,7 @@
 // How far from the true point a scene's hits are: by the laws of rounding, and by the exact oracle.
 #pragma once
 
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -24,7 +25,13 @@ inline constexpr double kept_share = 0.999;
 struct Measurement {
   double error = 0;   // in scene units
   size_t missed = 0;  // found no hit where the oracle has one
+  /// What `error` is at most, at 95 %, as if hits were drawn at random from all that the scene has; those
+  /// missed are among them and err without bound. Infinite where there are too few to tell.
+  double shown = std::numeric_limits<double>::infinity();
 };
+
+/// Of the errors of some hits what all but one in a thousand of all keep, at 95 %. 0 without errors.
+[[nodiscard]] double shown_error(std::vector<double> errors);
 
 /// Of the tracer's methods as it renders with them, of the study's others in their base variants; else as
 /// `predicted_error`.

@@ -36,6 +36,13 @@ std::optional<int> median_interval_rank(int n) {
   return rank;
 }
 
+std::optional<int> upper_bound_rank(int n, double share) {
+  const boost::math::binomial_distribution<> above(n, 1 - share);
+  std::optional<int> rank;
+  for (int k = 0; k < n && cdf(above, k) <= 0.05; ++k) rank = k;
+  return rank;
+}
+
 Estimate estimate_median(std::vector<double> samples) {
   Estimate estimate;
   estimate.value = median(samples);

@@ -39,6 +39,12 @@ struct Estimate {
 /// Statistics", 7.1).
 [[nodiscard]] std::optional<int> median_interval_rank(int n);
 
+/// How many of the largest of `n` samples to leave out so that the next one is, at 95 %, not below what the
+/// share `share` of all there are stays below, whatever the distribution: the largest k with P(B ≤ k) ≤ 0.05,
+/// B binomial(n, 1 − share). None where n is too small for that (Wilks 1941, "Determination of sample sizes
+/// for setting tolerance limits").
+[[nodiscard]] std::optional<int> upper_bound_rank(int n, double share);
+
 /// The median of `samples` with its 95 % order-statistic interval. Not for an empty list.
 [[nodiscard]] Estimate estimate_median(std::vector<double> samples);
 

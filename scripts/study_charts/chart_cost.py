@@ -70,7 +70,7 @@ def _mark(axes, point, look, top):
     base, is_float = point.kernel.change == "base", point.kernel.precision == "float"
     axes.plot(
         point.ns.value, min(point.wrong, top), look.marker, color=look.colour, markersize=6.5 if base else 2.5, zorder=3 if base else 2,
-        markerfacecolor=look.colour if is_float else PAPER, markeredgewidth=1.2 if base else 0.5, alpha=1 if base else 0.5,
+        markerfacecolor=look.colour if is_float else PAPER, markeredgewidth=1.2 if base else 0.5, alpha=1 if base else 0.5, rasterized=not base,
     )  # fmt: skip
 
 

@@ -27,19 +27,17 @@ TEST(advice, is_the_quickest_of_those_that_keep_the_tolerance) {
   const Ranking ranking = rank(all, 1e-4);
   EXPECT_EQ(ranking.choice, 3u);
   EXPECT_EQ(ranking.runner_up, 2u);
-  EXPECT_EQ(
-      advice_text(all, ranking, 1e-4),
-      "Take d in float: of what can promise a hit tolerance of 0.0001 it takes least time. Next is c in "
-      "float, +50.0 % [50.0, 50.0].");
+  EXPECT_EQ(advice_text(all, ranking, 1e-4),
+            "Take d in float: of what keeps a hit tolerance of 0.0001 it takes least time. Next is c in "
+            "float, +50.0 % [50.0, 50.0].");
 }
 
 TEST(advice, says_where_no_difference_is_shown) {
   const std::vector<Advised> all{line("a", 1e-6, {10, 10, 10, 10, 10, 10, 10}),
                                  line("b", 1e-6, {9, 9, 9, 11, 11, 11, 11})};
-  EXPECT_EQ(
-      advice_text(all, rank(all, 1e-4), 1e-4),
-      "Take a in float: of what can promise a hit tolerance of 0.0001 it takes least time. Next is b in "
-      "float, +10.0 % [-10.0, 10.0]: no difference shown; at most 11.1 % slower than any of them.");
+  EXPECT_EQ(advice_text(all, rank(all, 1e-4), 1e-4),
+            "Take a in float: of what keeps a hit tolerance of 0.0001 it takes least time. Next is b in "
+            "float, +10.0 % [-10.0, 10.0]: no difference shown; at most 11.1 % slower than any of them.");
 }
 
 TEST(advice, tells_how_much_slower_than_any_other_that_keeps_the_tolerance_a_choice_may_be) {
@@ -69,8 +67,32 @@ TEST(advice, names_what_is_the_only_one) {
   const Ranking ranking = rank(all, 1e-5);
   EXPECT_EQ(ranking.choice, 1u);
   EXPECT_FALSE(ranking.runner_up);
-  EXPECT_EQ(advice_text(all, ranking, 1e-5),
-            "Take b in float: nothing else can promise a hit tolerance of 1e-05.");
+  EXPECT_EQ(advice_text(all, ranking, 1e-5), "Take b in float: nothing else keeps a hit tolerance of 1e-05.");
+}
+
+TEST(advice, takes_what_is_measured_to_keep_the_tolerance_and_says_so) {
+  std::vector<Advised> all{line("a", 1e-3, rounds_of(1)), line("b", 1e-6, rounds_of(4))};
+  all[0].measured = {.error = 1e-7, .missed = 0, .shown = 2e-6};
+  EXPECT_EQ(rank(all, 2e-6).choice, 0u);
+  EXPECT_EQ(rank(all, 1.9e-6).choice, 1u);
+  EXPECT_EQ(
+      advice_text(all, rank(all, 1e-5), 1e-5),
+      "Take a in float: of what keeps a hit tolerance of 1e-05 it takes least time. That it keeps it is "
+      "measured, at 95 %, not promised. Next is b in float, +300.0 % [300.0, 300.0].");
+}
+
+TEST(advice, errors_of_too_few_hits_show_nothing) {
+  const double none = std::numeric_limits<double>::infinity();
+  std::vector<double> errors(2994, 1.0);
+  EXPECT_EQ(shown_error(errors), none);
+  errors.push_back(2.0);
+  EXPECT_EQ(shown_error(errors), 2.0) << "the greatest of 2995";
+  errors.resize(10'000, 1.0);
+  for (int i = 0; i < 4; ++i) errors[static_cast<size_t>(i)] = none;
+  EXPECT_EQ(shown_error(errors), 2.0) << "four of ten thousand may be beyond it";
+  errors[4] = none;
+  EXPECT_EQ(shown_error(errors), none);
+  EXPECT_EQ(shown_error({}), 0);
 }
 
 TEST(advice, refuses_with_the_smallest_tolerance_that_can_be_promised) {
@@ -79,7 +101,7 @@ TEST(advice, refuses_with_the_smallest_tolerance_that_can_be_promised) {
   EXPECT_FALSE(ranking.choice);
   EXPECT_EQ(advice_text(all, ranking, 1e-7),
             "no method can promise a hit tolerance of 1e-07; the smallest that can be is 3.2e-06, by b in "
-            "float.");
+            "float, and none is measured to keep it.");
   EXPECT_TRUE(rank(all, 3.2e-6).choice) << "what it says can be promised is";
   EXPECT_EQ(refusal({{{"a", "float"}, infinite}}, 0.5),
             "no method can promise a hit tolerance of 0.5, nor any other: more than one hit in a thousand is "

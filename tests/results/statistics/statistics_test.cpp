@@ -29,6 +29,16 @@ TEST(median_interval, ranks_of_many_samples_follow_the_normal_approximation) {
   }
 }
 
+// 0.999^2995 is the first power below 0.05. Of ten thousand about ten are beyond; four or fewer in 2.9 %.
+TEST(upper_bound, of_a_quantile_leaves_out_as_few_as_chance_allows) {
+  EXPECT_FALSE(upper_bound_rank(2994, 0.999));
+  EXPECT_EQ(upper_bound_rank(2995, 0.999), 0);
+  EXPECT_EQ(upper_bound_rank(10'000, 0.999), 4);
+  EXPECT_EQ(upper_bound_rank(59, 0.95), 0) << "the known 59 of 95 % at 95 %";
+  EXPECT_FALSE(upper_bound_rank(58, 0.95));
+  EXPECT_FALSE(upper_bound_rank(0, 0.5));
+}
+
 TEST(median_interval, covers_the_true_median_at_least_95_times_of_100) {
   std::mt19937 random(5);
   std::lognormal_distribution<double> skewed(0, 1);  // median exactly 1
