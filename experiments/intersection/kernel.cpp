@@ -15,9 +15,9 @@ namespace raysweep {
 namespace {
 
 template <class Method, Variant variant, class T, Layout layout>
-Kernel<T> own_kernel(std::string change) {
+Kernel<T> own_kernel(const std::string& change) {
   return {.method = Method::name,
-          .change = std::move(change),
+          .change = change,
           .variant = variant,
           .layout = name_of(layout),
           .compiler = compiler_name,

@@ -23,9 +23,9 @@ std::unique_ptr<KernelPass> prepare(const Workload<T>& work) {
 
 /// With all but its shape and its function.
 template <class Method, Variant variant, class T>
-Kernel<T> blank(std::string change) {
+Kernel<T> blank(const std::string& change) {
   return {.method = Method::name,
-          .change = std::move(change),
+          .change = change,
           .variant = variant,
           .layout = "aos",
           .contraction = RAYSWEEP_KERNELS_CONTRACTED ? "on" : "off",
@@ -36,8 +36,8 @@ Kernel<T> blank(std::string change) {
 }
 
 template <class Method, Variant variant, class T>
-Kernel<T> of_one(std::string change) {
-  Kernel<T> kernel = blank<Method, variant, T>(std::move(change));
+Kernel<T> of_one(const std::string& change) {
+  Kernel<T> kernel = blank<Method, variant, T>(change);
   kernel.prepare = prepare<ScalarPass<Method, variant, T>, T>;
   return kernel;
 }
