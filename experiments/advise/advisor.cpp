@@ -53,6 +53,22 @@ std::vector<StudyLine> study_of(const AdviceRequest& request, double size,
   return study;
 }
 
+/// Measures all on `hits`, as shares of the scene's size.
+void measure(Advice& advice, const std::vector<SampledHit>& hits) {
+  advice.measured_hits = hits.size();
+  for (Advised& one : advice.all) {
+    const auto [method, precision] = one.predicted.choice;
+    one.measured = as_share(measured_error(method, precision, hits), advice.size);
+  }
+}
+
+/// Whether some kept the tolerance that neither promise it nor are shown to.
+bool is_open(const Advice& advice) {
+  return std::ranges::any_of(advice.all, [&](const Advised& one) {
+    return one.measured.error <= advice.tolerance && !one.keeps(advice.tolerance);
+  });
+}
+
 }  // namespace
 
 Advice advise(const Scene& scene, const AdviceRequest& request) {
@@ -65,14 +81,12 @@ Advice advise(const Scene& scene, const AdviceRequest& request) {
   advice.core = request.settings.core;
   advice.triangles = scene.triangle_count();
   advice.predicted_hits = samples[0].size();
-  advice.measured_hits = samples[1].size();
   advice.size = scene_size(scene);
   advice.tolerance = request.tolerance;
   advice.numbers = numbers_of(samples[0]);
-  for (const Prediction& one : predict(choices, samples[0], advice.size)) {
-    const auto [method, precision] = one.choice;
-    advice.all.push_back({one, as_share(measured_error(method, precision, samples[1]), advice.size), {}});
-  }
+  for (const Prediction& one : predict(choices, samples[0], advice.size)) advice.all.push_back({one, {}, {}});
+  measure(advice, samples[1]);
+  if (is_open(advice)) measure(advice, sample_hits(scene, {decisive_sample})[0]);
   const RoundTimes times =
       race.run([&](const RoundTimes& so_far) { return is_certain(advice.all, so_far, request.tolerance); });
   for (size_t i = 0; i < times.size(); ++i) advice.all[i].nanoseconds = times[i];

@@ -23,6 +23,8 @@ struct SampleSize {
 };
 /// What predictions are made from; what is measured has to be on other rays.
 inline constexpr SampleSize predicted_sample{96, 72, 1}, measured_sample{192, 144, 2};
+/// What is measured on where that does not tell whether a tolerance is kept.
+inline constexpr SampleSize decisive_sample{768, 576, 3};
 
 /// The first hits on triangles of rays as rendering sends them: primary ones through a picture's pixels, and
 /// from where each of them hits one towards the first light, one reflected and one diffuse. Refracted rays go
