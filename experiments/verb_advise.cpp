@@ -15,6 +15,7 @@ namespace raysweep {
 namespace {
 
 constexpr double longest_rounds = 600;  // seconds
+constexpr double patience = 5;  // times as long as asked for, where rounds do not tell which is quickest
 
 /// Factors that decide what the pictures cost which are timed. Methods and precisions are what is asked for.
 constexpr std::string_view picture_factors[] = {"width",           "height",   "subpixels", "pattern",
@@ -49,6 +50,7 @@ int run(AdviseOptions options, bool as_json) {
   const Cell cell = cell_of(options);
   const Scene scene = load_scene(cell.scene, cell.lights);
   options.request.settings = cell.settings;
+  options.request.rounds.longest = patience * options.request.rounds.seconds;
   const Advice advice = advise(scene, options.request);
   if (as_json) {
     fmt::print("{}\n", to_json(advice).dump(1));
@@ -79,8 +81,10 @@ void add_advise(CommandLine& line) {
         option, [name](const std::string& value) { options.factors[std::string(name)] = value; },
         std::string(find_factor(name)->possible));
   }
-  verb.add_option("--seconds", options.request.rounds.seconds,
-                  "that rounds of pictures may take together (6); seven rounds there are in any case");
+  verb.add_option(
+      "--seconds", options.request.rounds.seconds,
+      "that rounds of pictures may take together (6), up to five times as long where they do not tell which "
+      "is quickest; seven rounds there are in any case");
   verb.add_option("--seed", options.request.rounds.seed, "of the order in each round (1)");
   verb.callback([&line] { line.action = [&line] { return run(options, line.json); }; });
 }

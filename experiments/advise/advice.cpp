@@ -121,7 +121,7 @@ std::string advice_text(const std::vector<Advised>& all, const Ranking& ranking,
                       more(ratio.interval->high));
   if (ratio.interval->low > 1) return text + ".";
   return text + fmt::format(": no difference shown; at most {:.1f} % slower than any of them.",
-                            100 * most_slower(all, ranking, tolerance).value_or(0));
+                            100 * *most_slower(all, ranking, tolerance));
 }
 
 }  // namespace raysweep

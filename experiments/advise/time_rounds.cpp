@@ -116,7 +116,7 @@ PictureRace::PictureRace(const Scene& scene, const std::vector<RenderSettings>& 
 
 RoundTimes PictureRace::run(const std::function<bool(const RoundTimes&)>& is_enough) {
   return run_rounds(runs_, options_, random_, [&](double seconds, const RoundTimes& times) {
-    return seconds <= options_.seconds || (seconds <= patience * options_.seconds && !is_enough(times));
+    return seconds <= options_.seconds || (seconds <= options_.longest && !is_enough(times));
   });
 }
 

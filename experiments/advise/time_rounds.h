@@ -14,8 +14,9 @@
 namespace raysweep {
 
 struct RoundOptions {
-  double seconds = 6;  // that rounds may take together
-  int least = 7;       // rounds that there are even so; fewer than six have no interval
+  double seconds = 6;   // that rounds may take together
+  double longest = 30;  // that they may take where what they tell is not enough
+  int least = 7;        // rounds that there are even so; fewer than six have no interval
   int most = 200;
   uint64_t seed = 1;  // of the order of building, and of runs in each round
 };
@@ -29,11 +30,9 @@ class PictureRace {
  public:
   PictureRace(const Scene& scene, const std::vector<RenderSettings>& settings, const RoundOptions& options);
 
-  /// Nanoseconds of processor time of one thread a ray of any kind. Rounds go on after their time, up to
-  /// `patience` times as long, until `is_enough`.
+  /// Nanoseconds of processor time of one thread a ray of any kind. Rounds go on after their time until
+  /// `is_enough`, but no longer than the longest.
   [[nodiscard]] RoundTimes run(const std::function<bool(const RoundTimes&)>& is_enough);
-
-  static constexpr double patience = 5;
 
  private:
   RoundOptions options_;

@@ -6,6 +6,8 @@
 #define RAYSWEEP_WIDE_RAY_SETUP_INL_H_
 #endif
 
+#include <bit>
+
 #include "tracer/wide/accept-inl.h"
 #include "tracer/wide/kernels.h"
 #include "tracer/wide/stacks-inl.h"
@@ -80,7 +82,8 @@ class FlatAxes {
 /// Rays looked at before the next ones begin: so many that the loop's end is rare.
 inline constexpr size_t chosen_at_once = 256;
 
-/// Chooses rays of a batch that may meet something, from the groups of `packet_size` that `scratch` lists.
+/// Chooses rays of a batch that may meet something, from the groups of `packet_size` that `scratch` lists,
+/// and makes them ready.
 template <bool any>
 class Chooser {
  public:
@@ -109,8 +112,44 @@ class Chooser {
     return next_pending_ < pending_count_;
   }
 
-  /// The next of them.
-  HWY_INLINE size_t next() { return pending_[next_pending_++]; }
+  /// Loads the next of them.
+  HWY_INLINE void load_next(Slot& slot) {
+    const hn::FixedTag<float, 4> d;
+    const hn::FixedTag<uint32_t, 4> du;
+    const size_t i = pending_[next_pending_++];
+    auto origin = hn::Zero(d), direction = hn::Set(d, 1.0f);
+    origin = hn::InsertLane(origin, 0, rays_.origin_x[i]);
+    origin = hn::InsertLane(origin, 1, rays_.origin_y[i]);
+    origin = hn::InsertLane(origin, 2, rays_.origin_z[i]);
+    direction = hn::InsertLane(direction, 0, rays_.direction_x[i]);
+    direction = hn::InsertLane(direction, 1, rays_.direction_y[i]);
+    direction = hn::InsertLane(direction, 2, rays_.direction_z[i]);
+    const auto is_flat = hn::Lt(hn::Abs(direction), hn::Set(d, regular_low));
+    const auto flat = hn::CopySign(hn::Set(d, flat_axes_.reciprocal()), direction);
+    const auto reciprocal = hn::IfThenElse(is_flat, flat, hn::Div(hn::Set(d, 1.0f), direction));
+    const auto c = hn::Neg(hn::Mul(origin, reciprocal));
+    const auto error =
+        hn::IfThenElse(is_flat, hn::Set(d, FlatAxes::way),
+                       hn::Add(hn::Mul(hn::Abs(c), hn::Set(d, offset_error)), hn::Set(d, smallest)));
+    hn::Store(reciprocal, d, slot.reciprocal);
+    hn::Store(hn::Sub(c, error), d, slot.near_offset);
+    hn::Store(hn::Add(c, error), d, slot.far_offset);
+    hn::Store(origin, d, slot.origin);
+    hn::Store(direction, d, slot.direction);
+    slot.is_flat = hn::AllFalse(d, is_flat) ? 0 : 1;
+    constexpr uint32_t row = lane_count * sizeof(float);
+    alignas(16) static constexpr uint32_t lower[4] = {0, 2 * row, 4 * row, 0};
+    const auto sign = hn::ShiftRight<31>(hn::BitCast(du, direction));
+    hn::Store(hn::Add(hn::Mul(sign, hn::Set(du, row)), hn::Load(du, lower)), du, slot.near_plane);
+    const auto sign_of = [](float x) { return std::bit_cast<uint32_t>(x) >> 31; };
+    const uint32_t octant =
+        sign_of(rays_.direction_x[i]) + 2 * sign_of(rays_.direction_y[i]) + 4 * sign_of(rays_.direction_z[i]);
+    slot.near_plane[3] = static_cast<uint32_t>(offsetof(WideNode<lane_count>, far_to_near)) + octant * 4;
+    slot.ray = static_cast<uint32_t>(i);
+    slot.t = hits_.t[i];
+    slot.id = hits_.id[i];
+    slot.limit = slot.t * widening;
+  }
 
  private:
   /// Of the rays in lanes from `first` on, lists those that meet the box around everything. As in Slot,

@@ -10,8 +10,6 @@
 #define RAYSWEEP_WIDE_STREAM_INL_H_
 #endif
 
-#include <bit>
-
 #include "tracer/wide/ray_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,10 +32,8 @@ class Stream {
       : primitives_(*geometry.primitives),
         nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
-        rays_(rays),
         hits_(hits),
         count_(scratch.visits),
-        flat_axes_(geometry.tree.bounds),
         chooser_(rays, hits, geometry.tree.bounds, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     slots_ = static_cast<char*>(
@@ -92,42 +88,8 @@ class Stream {
 
   /// Begins the next ray at the root.
   HWY_INLINE void load(uint32_t offset) {
-    const hn::FixedTag<float, 4> d;
-    const hn::FixedTag<uint32_t, 4> du;
     Slot& slot = slot_at(offset);
-    const size_t i = chooser_.next();
-    auto origin = hn::Zero(d), direction = hn::Set(d, 1.0f);
-    origin = hn::InsertLane(origin, 0, rays_.origin_x[i]);
-    origin = hn::InsertLane(origin, 1, rays_.origin_y[i]);
-    origin = hn::InsertLane(origin, 2, rays_.origin_z[i]);
-    direction = hn::InsertLane(direction, 0, rays_.direction_x[i]);
-    direction = hn::InsertLane(direction, 1, rays_.direction_y[i]);
-    direction = hn::InsertLane(direction, 2, rays_.direction_z[i]);
-    const auto is_flat = hn::Lt(hn::Abs(direction), hn::Set(d, regular_low));
-    const auto flat = hn::CopySign(hn::Set(d, flat_axes_.reciprocal()), direction);
-    const auto reciprocal = hn::IfThenElse(is_flat, flat, hn::Div(hn::Set(d, 1.0f), direction));
-    const auto c = hn::Neg(hn::Mul(origin, reciprocal));
-    const auto error =
-        hn::IfThenElse(is_flat, hn::Set(d, FlatAxes::way),
-                       hn::Add(hn::Mul(hn::Abs(c), hn::Set(d, offset_error)), hn::Set(d, smallest)));
-    hn::Store(reciprocal, d, slot.reciprocal);
-    hn::Store(hn::Sub(c, error), d, slot.near_offset);
-    hn::Store(hn::Add(c, error), d, slot.far_offset);
-    hn::Store(origin, d, slot.origin);
-    hn::Store(direction, d, slot.direction);
-    slot.is_flat = hn::AllFalse(d, is_flat) ? 0 : 1;
-    constexpr uint32_t row = lane_count * sizeof(float);
-    alignas(16) static constexpr uint32_t lower[4] = {0, 2 * row, 4 * row, 0};
-    const auto sign = hn::ShiftRight<31>(hn::BitCast(du, direction));
-    hn::Store(hn::Add(hn::Mul(sign, hn::Set(du, row)), hn::Load(du, lower)), du, slot.near_plane);
-    const auto sign_of = [](float x) { return std::bit_cast<uint32_t>(x) >> 31; };
-    const uint32_t octant =
-        sign_of(rays_.direction_x[i]) + 2 * sign_of(rays_.direction_y[i]) + 4 * sign_of(rays_.direction_z[i]);
-    slot.near_plane[3] = static_cast<uint32_t>(offsetof(Node, far_to_near)) + octant * 4;
-    slot.ray = static_cast<uint32_t>(i);
-    slot.t = hits_.t[i];
-    slot.id = hits_.id[i];
-    slot.limit = slot.t * widening;
+    chooser_.load_next(slot);
     Stacks::restart(slot);
     RAYSWEEP_COUNT(count_, Visited::ray_begun);
   }
@@ -292,14 +254,12 @@ class Stream {
   const Primitives<float, Method>& primitives_;
   const Node* const nodes_;
   const Block* const blocks_;
-  const RayBatch& rays_;
   HitBatch& hits_;
   char* slots_;
   Stacks stacks_;
   uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
   [[no_unique_address]] const VisitCounter count_;
-  const FlatAxes flat_axes_;
   Chooser<any> chooser_;
 };
 

@@ -6,6 +6,13 @@
 
 namespace raysweep {
 
+/// The rays with their limits.
+inline RayBatch batch_of(const std::vector<TestRay<float>>& tests) {
+  RayBatch rays(tests.size());
+  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  return rays;
+}
+
 /// What a core answers to each of some rays: the nearest hit, and whether anything is in the ray's way.
 struct Answers {
   std::vector<std::optional<Hit<float>>> nearest;
@@ -25,8 +32,7 @@ struct Answers {
 template <class Wide>
 size_t count_differences(const Wide& core, const Answers& expected,
                          const std::vector<TestRay<float>>& tests) {
-  RayBatch rays(tests.size());
-  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  const RayBatch rays = batch_of(tests);
   HitBatch nearest(tests.size()), any(tests.size());
   KernelScratch scratch;
   size_t differences = 0;

@@ -58,8 +58,7 @@ std::vector<TestRay<float>> flat_rays(double unit, double corner, float small) {
 /// How many rays no kernel takes.
 template <class Core>
 size_t count_left_over(const Core& core, const std::vector<TestRay<float>>& tests) {
-  RayBatch rays(tests.size());
-  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  const RayBatch rays = batch_of(tests);
   HitBatch hits(tests.size());
   KernelScratch scratch;
   core.closest(rays, hits, scratch);
@@ -107,6 +106,17 @@ TEST(wide_core, flat_rays_among_shapes_of_all_kinds_agree) {
       EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa << ' ' << small;
     });
   }
+}
+
+TEST(wide_core, flat_rays_meet_planes_where_there_is_nothing_else) {
+  Scene scene = mixed_scene();
+  scene.spheres.clear();
+  scene.meshes.clear();
+  const ScalarCore<float, MollerTrumbore> oracle(scene, "none", 1);
+  const auto rays = flat_rays(0.5, -1, 0);
+  for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+    EXPECT_EQ(count_differences(core, oracle, rays), 0u) << isa;
+  });
 }
 
 /// Some that would move along a flat axis before they leave the scene, that never leave it, or that leave it

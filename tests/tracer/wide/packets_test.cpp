@@ -14,8 +14,7 @@ namespace {
 /// Of `rays`, how many a kernel that may take neighbours together has to take alone.
 template <class Core>
 size_t count_alone(const Core& core, const std::vector<TestRay<float>>& tests) {
-  RayBatch rays(tests.size());
-  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  const RayBatch rays = batch_of(tests);
   HitBatch hits(tests.size());
   KernelScratch scratch;
   if (tests[0].t_max < std::numeric_limits<float>::infinity()) {

@@ -29,8 +29,7 @@ struct Counted {
 
 template <class Core>
 Counted trace(const Core& core, const std::vector<TestRay<float>>& tests, Grouping grouping) {
-  RayBatch rays(tests.size());
-  for (size_t i = 0; i < tests.size(); ++i) rays.set(i, tests[i].ray, tests[i].t_max);
+  const RayBatch rays = batch_of(tests);
   HitBatch hits(tests.size());
   KernelScratch scratch;
   core.closest(rays, hits, scratch, grouping);
