@@ -63,6 +63,12 @@ HWY_INLINE uint32_t bits_of(LaneMask mask) {
   return bits[0];
 }
 
+/// `first` and the numbers behind it. Highway's Iota would put them together in memory.
+HWY_INLINE WordLanes count_from(uint32_t first) {
+  const Words d;
+  return hn::Add(hn::Iota(d, 0), hn::Set(d, first));
+}
+
 /// Numbers of lanes packed `order_bits` each into a word, one number a lane; lanes above the lowest bits may
 /// hold more.
 HWY_INLINE WordLanes unpack(uint32_t packed) {

@@ -26,14 +26,15 @@ namespace HWY_NAMESPACE {
 /// `slab`'s own widening included. `smallest` outweighs underflow. Needed: no overflow, hence the bounds of
 /// regular rays; along the axes of flat ones see `FlatAxes`.
 struct alignas(64) Slot : StackPlace {
+  // What nodes and triangles are compared with lies in two cache lines.
   float reciprocal[4], near_offset[4], far_offset[4];
   uint32_t near_plane[4];  // bytes into a node; [3]: of the octant's order
-  float origin[4], direction[4];
-  uint32_t is_flat;
-  float limit;  // `t`, widened
-  uint32_t ray;
-  float t;  // the nearest hit so far
+  float limit;             // `t`, widened
+  float t;                 // the nearest hit so far
   uint32_t id;
+  uint32_t ray;
+  alignas(16) float origin[4], direction[4];
+  uint32_t is_flat;
   alignas(32) float distances[8];  // at which the block's triangles are hit, if accepted; infinity: not hit
 };
 
@@ -195,7 +196,7 @@ class Chooser {
     is_regular = hn::AndNot(hn::AndNot(flat_axes_.are_manageable(leave, flat_along), is_flat), is_regular);
     const LaneMask meets = hn::AndNot(is_beside, hn::Le(enter, hn::Mul(leave, hn::Set(d, widening))));
     const Compaction chosen(hn::And(hn::And(meets, is_regular), is_there));
-    hn::StoreU(chosen(hn::Iota(dw, static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
+    hn::StoreU(chosen(count_from(static_cast<uint32_t>(first))), dw, pending_ + pending_count_);
     pending_count_ += chosen.count();
     for (uint32_t left = bits_of(hn::AndNot(is_regular, is_there)); left != 0; left &= left - 1)
       left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));

@@ -59,16 +59,18 @@ class Stacks {
     const WordLanes by_distance = unpack(far_to_near);
     const FloatLanes keys = permute(hn::IfThenElse(met, enter, infinity), by_distance);
     const Compaction kept(hn::Lt(keys, infinity));
-    hn::StoreU(kept(permute(children, by_distance)), dw, children_ + at.top);
-    hn::StoreU(kept(keys), d, enters_ + at.top);
-    pop(at, at.top + kept.count());
+    const uint32_t top = at.top;
+    hn::StoreU(kept(permute(children, by_distance)), dw, children_ + top);
+    hn::StoreU(kept(keys), d, enters_ + top);
+    pop(at, top + kept.count());
   }
 
   /// Pushes them in any order.
   HWY_INLINE void push(StackPlace& at, WordLanes children, LaneMask met) const {
     const Compaction kept(met);
-    hn::StoreU(kept(children), Words(), children_ + at.top);
-    pop(at, at.top + kept.count());
+    const uint32_t top = at.top;
+    hn::StoreU(kept(children), Words(), children_ + top);
+    pop(at, top + kept.count());
   }
 
   /// Goes on to the leaf's next block, else to what the stack holds.
@@ -90,7 +92,7 @@ class Stacks {
     for (uint32_t from = at.bottom; from < end; from += lane_count) {
       const FloatLanes enters = hn::LoadU(d, enters_ + from);
       const WordLanes children = hn::LoadU(dw, children_ + from);
-      const LaneMask is_entry = hn::RebindMask(d, hn::Lt(hn::Iota(dw, from), hn::Set(dw, end)));
+      const LaneMask is_entry = hn::RebindMask(d, hn::Lt(count_from(from), hn::Set(dw, end)));
       const Compaction keep(hn::And(hn::Le(enters, limit), is_entry));
       hn::StoreU(keep(enters), d, enters_ + kept);
       hn::StoreU(keep(children), dw, children_ + kept);

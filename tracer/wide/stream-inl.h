@@ -10,6 +10,8 @@
 #define RAYSWEEP_WIDE_STREAM_INL_H_
 #endif
 
+#include <utility>
+
 #include "tracer/wide/ray_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +20,7 @@ namespace HWY_NAMESPACE {
 
 /// Rays in flight: enough to hide latency and to make the lists' ends rare, few enough to stay in the first
 /// cache.
-inline constexpr uint32_t slot_count = 32;
+inline constexpr uint32_t slot_count = 48;
 
 template <class Method, bool any>
 class Stream {
@@ -38,12 +40,12 @@ class Stream {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     slots_ = static_cast<char*>(
         scratch.reserve(slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) +
-                        (list_count * slot_count + chosen_at_once + 2 * packet_size) * sizeof(uint32_t)));
+                        (list_count * list_size + chosen_at_once + 2 * packet_size) * sizeof(uint32_t)));
     auto* lists = reinterpret_cast<uint32_t*>(
         stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size));
-    for (uint32_t** list : {&nodes_next_, &nodes_now_, &leaves_, &candidates_, &ended_}) {
+    for (uint32_t** list : {&nodes_next_, &nodes_now_, &leaves_, &candidates_, &ended_, &wanted_}) {
       *list = lists;
-      lists += slot_count;
+      lists += list_size;
     }
     chooser_.work_in(lists);
     for (uint32_t i = 0; i < slot_count; ++i)
@@ -62,7 +64,7 @@ class Stream {
       next_count_ = candidate_count_ = ended_count_ = 0;
       visit_nodes(node_count);
       visit_leaves();
-      for (uint32_t i = 0; i < candidate_count_; ++i) look_at_candidates(candidates_[i]);
+      look_at_candidates();
       for (uint32_t i = 0; i < ended_count_; ++i) end(ended_[i]);
       std::swap(nodes_now_, nodes_next_);
       node_count = next_count_;
@@ -70,20 +72,35 @@ class Stream {
   }
 
  private:
-  static constexpr size_t list_count = 5;
+  static constexpr size_t list_count = 6;
+  /// With room for a vector of lanes stored at the list's end.
+  static constexpr size_t list_size = slot_count + lane_count;
+  /// No child is that: a hit is to be looked at first.
+  static constexpr WideChild candidate = ~WideChild{0};
 
   HWY_INLINE Slot& slot_at(uint32_t offset) const { return *reinterpret_cast<Slot*>(slots_ + offset); }
 
-  /// Puts the ray into the list of what it needs next. Every list is written, one of them grows: no branch.
-  HWY_INLINE void enlist(uint32_t slot, WideChild next, uint32_t is_candidate) {
-    const uint32_t is_leaf = (next >> 31) & (1 - is_candidate),
-                   is_end = (next == sentinel ? 1u : 0u) & is_leaf;
-    nodes_next_[next_count_] = slot;
-    next_count_ += 1 - is_leaf - is_candidate;
-    leaves_[leaf_count_] = slot;
-    leaf_count_ += is_leaf - is_end;
-    ended_[ended_count_] = slot;
-    ended_count_ += is_end;
+  /// Puts `count` rays into the lists of what each needs next, in `wanted_`.
+  HWY_INLINE void enlist(const uint32_t* slots, uint32_t count) {
+    const Floats d;
+    const Words dw;
+    for (uint32_t i = 0; i < count; i += lane_count) {
+      const WordLanes slot = hn::Load(dw, slots + i), next = hn::Load(dw, wanted_ + i);
+      const auto is = [&](WideChild child)
+                          HWY_ATTR { return hn::RebindMask(d, hn::Eq(next, hn::Set(dw, child))); };
+      const LaneMask is_there = hn::RebindMask(d, hn::Lt(count_from(i), hn::Set(dw, count))),
+                     is_candidate = is(candidate), is_end = is(sentinel),
+                     is_node = hn::RebindMask(d, hn::Lt(next, hn::Set(dw, leaf_bit)));
+      const auto add = [&](uint32_t* list, uint32_t& size, LaneMask which) HWY_ATTR {
+        const Compaction kept(hn::And(which, is_there));
+        hn::StoreU(kept(slot), dw, list + size);
+        size += kept.count();
+      };
+      add(nodes_next_, next_count_, is_node);
+      add(candidates_, candidate_count_, is_candidate);
+      add(ended_, ended_count_, is_end);
+      add(leaves_, leaf_count_, hn::Not(hn::Or(is_node, hn::Or(is_candidate, is_end))));
+    }
   }
 
   /// Begins the next ray at the root.
@@ -94,16 +111,22 @@ class Stream {
     RAYSWEEP_COUNT(count_, Visited::ray_begun);
   }
 
-  HWY_INLINE void visit_nodes(uint32_t count) {
+  // Each a function of its own, with what its loop reads in locals: together they would keep it on the stack.
+
+  HWY_NOINLINE HWY_ATTR void visit_nodes(uint32_t count) {
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Floats d;
     const Words dw;
     const FloatLanes wider = hn::Set(d, widening);
     constexpr size_t row = lane_count * sizeof(float);
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t offset = nodes_now_[i];
-      Slot& slot = slot_at(offset);
-      const char* const node = reinterpret_cast<const char*>(nodes_ + slot.current);
+    const Node* const nodes = nodes_;
+    char* const slots = slots_;
+    const uint32_t* const now = nodes_now_;
+    uint32_t* const wanted = wanted_;
+    const Stacks stacks = stacks_;
+    for (size_t i = 0; i < count; ++i) {
+      Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
+      const char* const node = reinterpret_cast<const char*>(nodes + slot.current);
       const auto plane = [node](size_t at) HWY_ATTR {
         return hn::Load(Floats(), reinterpret_cast<const float*>(node + at));
       };
@@ -122,25 +145,30 @@ class Stream {
       const WordLanes children =
           hn::Load(dw, reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
       if constexpr (any) {
-        stacks_.push(slot, children, met);
+        stacks.push(slot, children, met);
       } else {
         const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + slot.near_plane[3]);
-        stacks_.push_in_order(slot, children, enter, met, far_to_near);
+        stacks.push_in_order(slot, children, enter, met, far_to_near);
       }
-      enlist(offset, slot.current, 0);
+      wanted[i] = slot.current;
     }
+    enlist(nodes_now_, count);
   }
 
-  HWY_INLINE void visit_leaves() {
+  HWY_NOINLINE HWY_ATTR void visit_leaves() {
     const Floats d;
     const uint32_t count = leaf_count_;
     RAYSWEEP_COUNT(count_, Visited::ray_block, count);
     leaf_count_ = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t offset = leaves_[i];
-      Slot& slot = slot_at(offset);
+    const Block* const blocks = blocks_;
+    char* const slots = slots_;
+    const uint32_t* const leaves = leaves_;
+    uint32_t* const wanted = wanted_;
+    const Stacks stacks = stacks_;
+    for (size_t i = 0; i < count; ++i) {
+      Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
       const uint32_t index = child_index(slot.current);
-      const Block& block = blocks_[index];
+      const Block& block = blocks[index];
       const Lanes3<Floats> origin = broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
                            direction = broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]);
       RAYSWEEP_COUNT(count_, Visited::ray_test, block.count);
@@ -153,15 +181,20 @@ class Stream {
       hn::Store(hn::IfThenElse(hits, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
                 slot.distances);
       slot.block = index;
-      stacks_.leave_block(slot, block.more);
-      const uint32_t is_candidate = candidates != 0 ? 1 : 0;
-      candidates_[candidate_count_] = offset;
-      candidate_count_ += is_candidate;
-      enlist(offset, slot.current, is_candidate);
+      stacks.leave_block(slot, block.more);
+      wanted[i] = candidates != 0 ? candidate : slot.current;
     }
+    enlist(leaves_, count);
   }
 
-  HWY_INLINE void look_at_candidates(uint32_t offset) {
+  HWY_NOINLINE HWY_ATTR void look_at_candidates() {
+    const uint32_t count = std::exchange(candidate_count_, 0);
+    for (uint32_t i = 0; i < count; ++i) wanted_[i] = look_at(candidates_[i]);
+    enlist(candidates_, count);
+  }
+
+  /// What the ray needs next.
+  HWY_INLINE WideChild look_at(uint32_t offset) {
     RAYSWEEP_COUNT(count_, Visited::ray_look);
     Slot& slot = slot_at(offset);
     const Block& block = blocks_[slot.block];
@@ -177,7 +210,7 @@ class Stream {
         stacks_.shorten(slot, slot.limit, block.more);
       }
     }
-    enlist(offset, slot.current, 0);
+    return slot.current;
   }
 
   /// The first hit of the block's candidates.
@@ -257,7 +290,7 @@ class Stream {
   HitBatch& hits_;
   char* slots_;
   Stacks stacks_;
-  uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_;
+  uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_, *wanted_;
   uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
   [[no_unique_address]] const VisitCounter count_;
   Chooser<any> chooser_;
