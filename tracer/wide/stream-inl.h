@@ -12,15 +12,12 @@
 
 #include <utility>
 
+#include "tracer/wide/ray_lists-inl.h"
 #include "tracer/wide/ray_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
-
-/// Rays in flight: enough to hide latency and to make the lists' ends rare, few enough to stay in the first
-/// cache.
-inline constexpr uint32_t slot_count = 48;
 
 template <class Method, bool any>
 class Stream {
@@ -40,80 +37,43 @@ class Stream {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     slots_ = static_cast<char*>(
         scratch.reserve(slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) +
-                        (list_count * list_size + chosen_at_once + 2 * packet_size) * sizeof(uint32_t)));
-    auto* lists = reinterpret_cast<uint32_t*>(
+                        (RayLists::size + chosen_at_once + 2 * packet_size) * sizeof(uint32_t)));
+    auto* memory = reinterpret_cast<uint32_t*>(
         stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size));
-    for (uint32_t** list : {&nodes_next_, &nodes_now_, &leaves_, &candidates_, &ended_, &wanted_}) {
-      *list = lists;
-      lists += list_size;
-    }
-    chooser_.work_in(lists);
+    chooser_.work_in(lists_.place(memory));
     for (uint32_t i = 0; i < slot_count; ++i)
       stacks_.begin(*new (slots_ + i * sizeof(Slot)) Slot, i * stack_size);
   }
 
   HWY_INLINE void run() {
-    uint32_t node_count = 0;
-    leaf_count_ = 0;
-    for (uint32_t i = 0; i < slot_count && chooser_.has_next(); ++i) {
-      const auto slot = static_cast<uint32_t>(i * sizeof(Slot));
-      load(slot);
-      nodes_now_[node_count++] = slot;
-    }
-    while (node_count + leaf_count_ > 0) {
-      next_count_ = candidate_count_ = ended_count_ = 0;
-      visit_nodes(node_count);
+    for (uint32_t i = 0; i < slot_count && chooser_.has_next(); ++i)
+      begin(static_cast<uint32_t>(i * sizeof(Slot)));
+    while (lists_.next_nodes.count + lists_.leaves.count > 0) {
+      std::swap(lists_.nodes, lists_.next_nodes);
+      lists_.next_nodes.count = lists_.candidates.count = lists_.ended.count = 0;
+      visit_nodes();
       visit_leaves();
       look_at_candidates();
-      for (uint32_t i = 0; i < ended_count_; ++i) end(ended_[i]);
-      std::swap(nodes_now_, nodes_next_);
-      node_count = next_count_;
+      for (uint32_t i = 0; i < lists_.ended.count; ++i) end(lists_.ended.slots[i]);
     }
   }
 
  private:
-  static constexpr size_t list_count = 6;
-  /// With room for a vector of lanes stored at the list's end.
-  static constexpr size_t list_size = slot_count + lane_count;
-  /// No child is that: a hit is to be looked at first.
-  static constexpr WideChild candidate = ~WideChild{0};
-
   HWY_INLINE Slot& slot_at(uint32_t offset) const { return *reinterpret_cast<Slot*>(slots_ + offset); }
 
-  /// Puts `count` rays into the lists of what each needs next, in `wanted_`.
-  HWY_INLINE void enlist(const uint32_t* slots, uint32_t count) {
-    const Floats d;
-    const Words dw;
-    for (uint32_t i = 0; i < count; i += lane_count) {
-      const WordLanes slot = hn::Load(dw, slots + i), next = hn::Load(dw, wanted_ + i);
-      const auto is = [&](WideChild child)
-                          HWY_ATTR { return hn::RebindMask(d, hn::Eq(next, hn::Set(dw, child))); };
-      const LaneMask is_there = hn::RebindMask(d, hn::Lt(count_from(i), hn::Set(dw, count))),
-                     is_candidate = is(candidate), is_end = is(sentinel),
-                     is_node = hn::RebindMask(d, hn::Lt(next, hn::Set(dw, leaf_bit)));
-      const auto add = [&](uint32_t* list, uint32_t& size, LaneMask which) HWY_ATTR {
-        const Compaction kept(hn::And(which, is_there));
-        hn::StoreU(kept(slot), dw, list + size);
-        size += kept.count();
-      };
-      add(nodes_next_, next_count_, is_node);
-      add(candidates_, candidate_count_, is_candidate);
-      add(ended_, ended_count_, is_end);
-      add(leaves_, leaf_count_, hn::Not(hn::Or(is_node, hn::Or(is_candidate, is_end))));
-    }
-  }
-
   /// Begins the next ray at the root.
-  HWY_INLINE void load(uint32_t offset) {
+  HWY_INLINE void begin(uint32_t offset) {
     Slot& slot = slot_at(offset);
     chooser_.load_next(slot);
     Stacks::restart(slot);
     RAYSWEEP_COUNT(count_, Visited::ray_begun);
+    lists_.next_nodes.slots[lists_.next_nodes.count++] = offset;
   }
 
   // Each a function of its own, with what its loop reads in locals: together they would keep it on the stack.
 
-  HWY_NOINLINE HWY_ATTR void visit_nodes(uint32_t count) {
+  HWY_NOINLINE HWY_ATTR void visit_nodes() {
+    const uint32_t count = lists_.nodes.count;
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Floats d;
     const Words dw;
@@ -121,8 +81,8 @@ class Stream {
     constexpr size_t row = lane_count * sizeof(float);
     const Node* const nodes = nodes_;
     char* const slots = slots_;
-    const uint32_t* const now = nodes_now_;
-    uint32_t* const wanted = wanted_;
+    const uint32_t* const now = lists_.nodes.slots;
+    uint32_t* const wanted = lists_.wanted;
     const Stacks stacks = stacks_;
     for (size_t i = 0; i < count; ++i) {
       Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
@@ -152,18 +112,17 @@ class Stream {
       }
       wanted[i] = slot.current;
     }
-    enlist(nodes_now_, count);
+    lists_.add(now, count);
   }
 
   HWY_NOINLINE HWY_ATTR void visit_leaves() {
     const Floats d;
-    const uint32_t count = leaf_count_;
+    const uint32_t count = std::exchange(lists_.leaves.count, 0);
     RAYSWEEP_COUNT(count_, Visited::ray_block, count);
-    leaf_count_ = 0;
     const Block* const blocks = blocks_;
     char* const slots = slots_;
-    const uint32_t* const leaves = leaves_;
-    uint32_t* const wanted = wanted_;
+    const uint32_t* const leaves = lists_.leaves.slots;
+    uint32_t* const wanted = lists_.wanted;
     const Stacks stacks = stacks_;
     for (size_t i = 0; i < count; ++i) {
       Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
@@ -184,13 +143,13 @@ class Stream {
       stacks.leave_block(slot, block.more);
       wanted[i] = candidates != 0 ? candidate : slot.current;
     }
-    enlist(leaves_, count);
+    lists_.add(leaves, count);
   }
 
   HWY_NOINLINE HWY_ATTR void look_at_candidates() {
-    const uint32_t count = std::exchange(candidate_count_, 0);
-    for (uint32_t i = 0; i < count; ++i) wanted_[i] = look_at(candidates_[i]);
-    enlist(candidates_, count);
+    const uint32_t count = std::exchange(lists_.candidates.count, 0);
+    for (uint32_t i = 0; i < count; ++i) lists_.wanted[i] = look_at(lists_.candidates.slots[i]);
+    lists_.add(lists_.candidates.slots, count);
   }
 
   /// What the ray needs next.
@@ -279,9 +238,7 @@ class Stream {
     const Slot& slot = slot_at(offset);
     hits_.t[slot.ray] = slot.t;
     hits_.id[slot.ray] = slot.id;
-    if (!chooser_.has_next()) return;
-    load(offset);
-    nodes_next_[next_count_++] = offset;
+    if (chooser_.has_next()) begin(offset);
   }
 
   const Primitives<float, Method>& primitives_;
@@ -290,8 +247,7 @@ class Stream {
   HitBatch& hits_;
   char* slots_;
   Stacks stacks_;
-  uint32_t *nodes_next_, *nodes_now_, *leaves_, *candidates_, *ended_, *wanted_;
-  uint32_t next_count_ = 0, leaf_count_ = 0, candidate_count_ = 0, ended_count_ = 0;
+  RayLists lists_;
   [[no_unique_address]] const VisitCounter count_;
   Chooser<any> chooser_;
 };
