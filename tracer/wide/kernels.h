@@ -11,6 +11,7 @@
 #include "tracer/intersect/morozov.h"
 #include "tracer/intersect/woop_watertight.h"
 #include "tracer/wide/geometry.h"
+#include "tracer/wide/group_choice.h"
 #include "tracer/wide/visit_counts.h"
 
 namespace raysweep {
@@ -31,6 +32,8 @@ class KernelScratch {
   std::vector<uint32_t> left_over;
   /// First rays of the groups of `packet_size` that were traced one ray at a time.
   std::vector<uint32_t> groups;
+  /// Of rays that ask for the nearest hit, and of those that ask for any.
+  GroupCost cost_alone[2];
   /// Of all batches so far.
   [[no_unique_address]] VisitCounts visits;
 

@@ -57,28 +57,30 @@ class PacketLoader {
  private:
   [[nodiscard]] HWY_INLINE bool is_alike(size_t first) const {
     const RayTag d;
-    RayMask is_regular = hn::FirstN(d, rays_at_once);
+    RayMask is_regular = hn::FirstN(d, rays_at_once), falls[3], rises[3];
+    for (size_t axis = 0; axis < 3; ++axis) falls[axis] = rises[axis] = hn::FirstN(d, 0);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const RayLanes t = hn::Load(d, hits_.t.data() + first + at);
-      is_regular = hn::And(is_regular, hn::Eq(t, t));
-    }
-    const RayLanes high = hn::Set(d, regular_high), low = hn::Set(d, regular_low);
-    int mixed_axes = 0;
-    for (const auto* along : {&rays_.direction_x, &rays_.direction_y, &rays_.direction_z}) {
-      bool has_positive = false, has_negative = false;
-      for (size_t at = 0; at < packet_size; at += rays_at_once) {
-        const RayLanes v = hn::Load(d, along->data() + first + at), size = hn::Abs(v);
-        is_regular = hn::And(is_regular, hn::And(hn::Ge(size, low), hn::Le(size, high)));
-        const RayMask is_negative = hn::Lt(v, hn::Zero(d));
-        has_negative |= !hn::AllFalse(d, is_negative);
-        has_positive |= !hn::AllTrue(d, is_negative);
+      const size_t ray = first + at;
+      const Lanes3<RayTag> from = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, ray),
+                           along = load(rays_.direction_x, rays_.direction_y, rays_.direction_z, ray);
+      const RayLanes x = hn::Abs(along.x), y = hn::Abs(along.y), z = hn::Abs(along.z);
+      // What is not a number stays in a sum.
+      const RayLanes sum = hn::Add(hn::Add(hn::Add(x, y), hn::Add(z, hn::Abs(from.x))),
+                                   hn::Add(hn::Abs(from.y), hn::Abs(from.z)));
+      const RayLanes t = hn::Load(d, hits_.t.data() + ray);
+      is_regular = hn::And(hn::And(is_regular, hn::Eq(t, t)),
+                           hn::And(hn::Ge(hn::Min(hn::Min(x, y), z), hn::Set(d, regular_low)),
+                                   hn::Le(sum, hn::Set(d, regular_high))));
+      const RayLanes axes[3] = {along.x, along.y, along.z};
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const RayMask falling = hn::Lt(axes[axis], hn::Zero(d));
+        falls[axis] = hn::Or(falls[axis], falling);
+        rises[axis] = hn::Or(rises[axis], hn::Not(falling));
       }
-      mixed_axes += has_negative && has_positive ? 1 : 0;
     }
-    for (const auto* from : {&rays_.origin_x, &rays_.origin_y, &rays_.origin_z}) {
-      for (size_t at = 0; at < packet_size; at += rays_at_once)
-        is_regular = hn::And(is_regular, hn::Le(hn::Abs(hn::Load(d, from->data() + first + at)), high));
-    }
+    int mixed_axes = 0;
+    for (size_t axis = 0; axis < 3; ++axis)
+      mixed_axes += hn::AllFalse(d, falls[axis]) || hn::AllFalse(d, rises[axis]) ? 0 : 1;
     return mixed_axes <= 1 && hn::AllTrue(d, is_regular);
   }
 

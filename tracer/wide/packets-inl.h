@@ -3,7 +3,7 @@
 // methods for entire ray packets"), so that a node costs a packet little more than a ray; so are the boxes of
 // a leaf's triangles, and each triangle that is left meets all rays at once, in lanes. As in Stream, several
 // take turns, without a branch that depends on a ray. A packet whose rays part costs more than they would
-// alone, so it has a budget.
+// alone, so it has a budget, and where packets do not pay rays go alone for a while.
 #if defined(RAYSWEEP_WIDE_PACKETS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYSWEEP_WIDE_PACKETS_INL_H_
 #undef RAYSWEEP_WIDE_PACKETS_INL_H_
@@ -42,7 +42,8 @@ class Packets {
         ray_count_(rays.size),
         alone_(scratch.groups),
         count_(scratch.visits),
-        loader_(rays, hits, geometry.tree.bounds) {
+        loader_(rays, hits, geometry.tree.bounds),
+        choice_(scratch.cost_alone[any], packet_budget) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     packets_ = static_cast<char*>(
         scratch.reserve(packets_in_flight * (sizeof(Packet) + stack_size * Stacks::entry_bytes) +
@@ -110,8 +111,14 @@ class Packets {
     const Packet& packet = packet_at(offset);
     if (packet.current != sentinel && packet.budget >= 0) return enlist(offset);
     save(packet);
-    if (packet.current != sentinel) alone_.push_back(packet.first);
-    RAYSWEEP_COUNT(count_, Visited::packet_given_up, packet.current != sentinel ? 1 : 0);
+    const int32_t steps = packet_budget - packet.budget;
+    if (packet.current == sentinel) {
+      choice_.ended(steps);
+    } else {
+      choice_.gave_up(steps);
+      alone_.push_back(packet.first);
+      RAYSWEEP_COUNT(count_, Visited::packet_given_up);
+    }
     begin_next(offset);
   }
 
@@ -120,7 +127,7 @@ class Packets {
     while (next_ + packet_size <= ray_count_) {
       const size_t first = next_;
       next_ += packet_size;
-      if (loader_.load(packet, first)) {
+      if (choice_.together() && loader_.load(packet, first)) {
         RAYSWEEP_COUNT(count_, Visited::packet_begun);
         packet.budget = packet_budget;
         packet.has_news = 0;
@@ -271,6 +278,7 @@ class Packets {
   std::vector<uint32_t>& alone_;
   [[no_unique_address]] const VisitCounter count_;
   const PacketLoader<any> loader_;
+  GroupChoice choice_;
   char* packets_;
   Stacks stacks_;
   float (*distances_)[packet_size];

@@ -32,6 +32,7 @@ class Stream {
         nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
         hits_(hits),
+        scratch_(scratch),
         count_(scratch.visits),
         chooser_(rays, hits, geometry.tree.bounds, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
@@ -54,8 +55,10 @@ class Stream {
       visit_nodes();
       visit_leaves();
       look_at_candidates();
+      cycles_ += lists_.ended.count * GroupCost::of_ray;
       for (uint32_t i = 0; i < lists_.ended.count; ++i) end(lists_.ended.slots[i]);
     }
+    scratch_.cost_alone[any].add(cycles_, scratch_.groups.size());
   }
 
  private:
@@ -74,6 +77,7 @@ class Stream {
 
   HWY_NOINLINE HWY_ATTR void visit_nodes() {
     const uint32_t count = lists_.nodes.count;
+    cycles_ += count * GroupCost::of_node;
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Floats d;
     const Words dw;
@@ -118,6 +122,7 @@ class Stream {
   HWY_NOINLINE HWY_ATTR void visit_leaves() {
     const Floats d;
     const uint32_t count = std::exchange(lists_.leaves.count, 0);
+    cycles_ += count * GroupCost::of_block;
     RAYSWEEP_COUNT(count_, Visited::ray_block, count);
     const Block* const blocks = blocks_;
     char* const slots = slots_;
@@ -245,9 +250,11 @@ class Stream {
   const Node* const nodes_;
   const Block* const blocks_;
   HitBatch& hits_;
+  KernelScratch& scratch_;
   char* slots_;
   Stacks stacks_;
   RayLists lists_;
+  uint64_t cycles_ = 0;  // that it took so far, about
   [[no_unique_address]] const VisitCounter count_;
   Chooser<any> chooser_;
 };

@@ -19,7 +19,7 @@ enum class Visited {
   ray_test,
   ray_look,  // of all that one ray hits in a block
   packet_begun,
-  packet_refused,   // a group whose rays go different ways, or are not regular
+  packet_refused,   // a group whose rays go different ways, or are not regular, or where packets do not pay
   packet_given_up,  // its budget was spent
   packet_node,
   packet_block,
