@@ -10,7 +10,7 @@ namespace raysweep {
 struct GroupCost {
   uint64_t cycles = 0, groups = 0;
 
-  /// What a single ray takes; measured with AVX-512 on `pebble`, and others differ little.
+  /// What a single ray takes, as measured with AVX-512 on `pebble`.
   static constexpr uint64_t of_node = 17, of_block = 38, of_ray = 45;
 
   void add(uint64_t more_cycles, uint64_t more_groups) {
@@ -26,7 +26,8 @@ struct GroupCost {
 
 /// Chooses for each group by what packets gained and lost of late. A packet meets nodes, blocks and
 /// triangles, a step each; one that ends within its budget saved what its rays would have taken alone, one
-/// that gives up took its steps for nothing. The answers are the same either way.
+/// that gives up took its steps for nothing. The answers are the same either way. A choice is one batch's: in
+/// short ones, of less than some hundred groups, all are tried together.
 class GroupChoice {
  public:
   GroupChoice(const GroupCost& alone, int32_t budget)
