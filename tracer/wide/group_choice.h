@@ -2,39 +2,25 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace raysweep {
 
-/// About how many cycles groups of rays took whose rays went alone; of the last thousands of groups.
-struct GroupCost {
-  uint64_t cycles = 0, groups = 0;
+/// Rays that go together, if they do: neighbours in a batch, from multiples of this on.
+inline constexpr size_t packet_size = 16;
 
-  /// What a single ray takes, as measured with AVX-512 on `pebble`.
-  static constexpr uint64_t of_node = 17, of_block = 38, of_ray = 45;
-
-  void add(uint64_t more_cycles, uint64_t more_groups) {
-    constexpr uint64_t enough = 4096;
-    cycles += more_cycles;
-    groups += more_groups;
-    if (groups > enough) {
-      cycles /= 2;
-      groups /= 2;
-    }
-  }
-};
-
-/// Chooses for each group by what packets gained and lost of late. A packet meets nodes, blocks and
-/// triangles, a step each; one that ends within its budget saved what its rays would have taken alone, one
-/// that gives up took its steps for nothing. The answers are the same either way. A choice is one batch's: in
-/// short ones, of less than some hundred groups, all are tried together.
+/// Chooses for each group of `packet_size` rays of one kind by what packets gained and lost of late, from
+/// batch to batch. A packet meets nodes, blocks and triangles, a step each; one that ends within its budget
+/// saved what its rays would have taken alone, one that gives up took its steps for nothing. The answers are
+/// the same either way.
 class GroupChoice {
  public:
-  GroupChoice(const GroupCost& alone, int32_t budget)
-      : worth_(alone.groups > 0 ? static_cast<int32_t>(alone.cycles / alone.groups / cycles_per_step)
-                                : 2 * budget),
-        most_gain_(20 * budget),
-        gain_(most_gain_) {}
+  /// Steps that a packet may take: about what costs as much as 16 single rays on `pebble`. Hardly a packet of
+  /// camera rays takes that many, of shadow rays about one in six (results/recorded/vm/limits.md).
+  static constexpr int32_t budget = 96;
+  /// About what a single ray takes, in cycles, as measured with AVX-512 on `pebble`.
+  static constexpr uint64_t cycles_of_node = 17, cycles_of_block = 38, cycles_of_ray = 45;
 
   /// Whether the next group is to go together. Where that has not paid, many go alone before it is tried
   /// again.
@@ -44,15 +30,28 @@ class GroupChoice {
     return false;
   }
 
-  void ended(int32_t steps) { gain_ = std::min(gain_ + worth_ - steps, most_gain_); }
+  void ended(int32_t steps) { gain_ = std::min(gain_ + worth_ - steps, most_gain); }
   void gave_up(int32_t steps) { gain_ -= steps; }
+
+  /// Tells what `rays` took that went alone, of which the last ten thousands count.
+  void went_alone(uint64_t cycles, size_t rays) {
+    constexpr uint64_t enough = 4096 * packet_size;
+    cycles_ += cycles;
+    rays_ += rays;
+    if (rays_ > enough) {
+      cycles_ /= 2;
+      rays_ /= 2;
+    }
+    if (rays_ >= packet_size) worth_ = static_cast<int32_t>(cycles_ * packet_size / rays_ / cycles_per_step);
+  }
 
  private:
   static constexpr uint64_t cycles_per_step = 22;
-  static constexpr int32_t most_alone = 32;
+  static constexpr int32_t most_gain = 20 * budget, most_alone = 32;
 
-  const int32_t worth_, most_gain_;
-  int32_t gain_, alone_ = 0;
+  uint64_t cycles_ = 0, rays_ = 0;  // of rays that went alone
+  int32_t worth_ = 2 * budget;      // steps that a packet saves; this until it is known
+  int32_t gain_ = most_gain, alone_ = 0;
 };
 
 }  // namespace raysweep

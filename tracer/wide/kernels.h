@@ -28,12 +28,15 @@ class KernelScratch {
     return memory_.get();
   }
 
+  /// Tells whether the rays that ask for the nearest hit are the camera's, level 1, or mirrored ones.
+  void begin_level(int level) { nearest_ = level > 1 ? 1 : 0; }
+  /// How rays that ask for any hit, or for the nearest, are grouped.
+  [[nodiscard]] GroupChoice& choice(bool any) { return choices_[any ? 2 : nearest_]; }
+
   /// Rays of the last batch that the kernel left to exact traversal.
   std::vector<uint32_t> left_over;
   /// First rays of the groups of `packet_size` that were traced one ray at a time.
   std::vector<uint32_t> groups;
-  /// Of rays that ask for the nearest hit, and of those that ask for any.
-  GroupCost cost_alone[2];
   /// Of all batches so far.
   [[no_unique_address]] VisitCounts visits;
 
@@ -43,6 +46,8 @@ class KernelScratch {
   };
   std::unique_ptr<std::byte, Delete> memory_;
   size_t size_ = 0;
+  GroupChoice choices_[3];
+  size_t nearest_ = 0;
 };
 
 /// For each ray the nearest hit before the one that `hits` holds already (a distance with no id is a limit),
@@ -61,9 +66,6 @@ struct BatchKernels {
   Pair single;   // every ray goes its own way
   Pair packets;  // neighbours go together as long as they go the same way
 };
-
-/// Rays that go together, if they do: neighbours in a batch, from multiples of this on.
-inline constexpr size_t packet_size = 16;
 
 /// Null where this program or this machine has no such instruction set, or its vectors are of another width.
 template <class Method, int width>

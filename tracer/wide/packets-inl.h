@@ -22,10 +22,6 @@ namespace HWY_NAMESPACE {
 
 /// As many as keep what they hold in the first cache.
 inline constexpr uint32_t packets_in_flight = 8;
-/// Nodes, blocks and triangles that a packet may meet: about what costs as much as 16 single rays on
-/// `pebble`. Hardly a packet of camera rays meets that many, of shadow rays about one in six
-/// (results/recorded/vm/limits.md).
-inline constexpr int32_t packet_budget = 96;
 
 template <class Method, bool any>
 class Packets {
@@ -43,7 +39,7 @@ class Packets {
         alone_(scratch.groups),
         count_(scratch.visits),
         loader_(rays, hits, geometry.tree.bounds),
-        choice_(scratch.cost_alone[any], packet_budget) {
+        choice_(scratch.choice(any)) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     packets_ = static_cast<char*>(
         scratch.reserve(packets_in_flight * (sizeof(Packet) + stack_size * Stacks::entry_bytes) +
@@ -111,7 +107,7 @@ class Packets {
     const Packet& packet = packet_at(offset);
     if (packet.current != sentinel && packet.budget >= 0) return enlist(offset);
     save(packet);
-    const int32_t steps = packet_budget - packet.budget;
+    const int32_t steps = GroupChoice::budget - packet.budget;
     if (packet.current == sentinel) {
       choice_.ended(steps);
     } else {
@@ -129,7 +125,7 @@ class Packets {
       next_ += packet_size;
       if (choice_.together() && loader_.load(packet, first)) {
         RAYSWEEP_COUNT(count_, Visited::packet_begun);
-        packet.budget = packet_budget;
+        packet.budget = GroupChoice::budget;
         packet.has_news = 0;
         Stacks::restart(packet);
         return enlist(offset);
@@ -278,7 +274,7 @@ class Packets {
   std::vector<uint32_t>& alone_;
   [[no_unique_address]] const VisitCounter count_;
   const PacketLoader<any> loader_;
-  GroupChoice choice_;
+  GroupChoice& choice_;
   char* packets_;
   Stacks stacks_;
   float (*distances_)[packet_size];

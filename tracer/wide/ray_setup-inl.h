@@ -100,6 +100,12 @@ class Chooser {
   /// `memory` has room for `chosen_at_once + 2 · packet_size` numbers.
   HWY_INLINE void work_in(uint32_t* memory) { pending_ = memory; }
 
+  /// Of all groups, of which only the last may lack some.
+  HWY_INLINE size_t ray_count() const {
+    if (groups_.empty()) return 0;
+    return (groups_.size() - 1) * packet_size + std::min(packet_size, rays_.size - groups_.back());
+  }
+
   /// Whether a ray is left that may meet something. Those that miss the box around everything are done: most
   /// rays of an open scene, and so many at a time cost little.
   HWY_INLINE bool has_next() {

@@ -55,10 +55,10 @@ class Stream {
       visit_nodes();
       visit_leaves();
       look_at_candidates();
-      cycles_ += lists_.ended.count * GroupCost::of_ray;
+      cycles_ += lists_.ended.count * GroupChoice::cycles_of_ray;
       for (uint32_t i = 0; i < lists_.ended.count; ++i) end(lists_.ended.slots[i]);
     }
-    scratch_.cost_alone[any].add(cycles_, scratch_.groups.size());
+    scratch_.choice(any).went_alone(cycles_, chooser_.ray_count());
   }
 
  private:
@@ -77,7 +77,7 @@ class Stream {
 
   HWY_NOINLINE HWY_ATTR void visit_nodes() {
     const uint32_t count = lists_.nodes.count;
-    cycles_ += count * GroupCost::of_node;
+    cycles_ += count * GroupChoice::cycles_of_node;
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Floats d;
     const Words dw;
@@ -122,7 +122,7 @@ class Stream {
   HWY_NOINLINE HWY_ATTR void visit_leaves() {
     const Floats d;
     const uint32_t count = std::exchange(lists_.leaves.count, 0);
-    cycles_ += count * GroupCost::of_block;
+    cycles_ += count * GroupChoice::cycles_of_block;
     RAYSWEEP_COUNT(count_, Visited::ray_block, count);
     const Block* const blocks = blocks_;
     char* const slots = slots_;
