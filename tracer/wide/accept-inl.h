@@ -65,11 +65,11 @@ template <class D>
 HWY_INLINE hn::Mask<D> has_all_corners_ahead(D d, const Lanes3<D>& origin, const Lanes3<D>& direction,
                                              const Corners<D>& triangle, const Lanes3<D>& normal) {
   const LongestAxis<D> axis(direction);
-  const auto from = axis.z_of(origin), a = axis.z_of(triangle.a), b = axis.z_of(triangle.b),
-             c = axis.z_of(triangle.c);
+  const auto from = axis.of(origin), a = axis.of(triangle.a), b = axis.of(triangle.b),
+             c = axis.of(triangle.c);
   const auto least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
-  const auto is_ahead = hn::Or(hn::And(hn::Gt(axis.z_of(direction), hn::Zero(d)), hn::Gt(least, from)),
-                               hn::And(hn::Lt(axis.z_of(direction), hn::Zero(d)), hn::Lt(most, from)));
+  const auto is_ahead = hn::Or(hn::And(hn::Gt(axis.of(direction), hn::Zero(d)), hn::Gt(least, from)),
+                               hn::And(hn::Lt(axis.of(direction), hn::Zero(d)), hn::Lt(most, from)));
   const auto size = hn::Max(hn::Max(hn::Abs(normal.x), hn::Abs(normal.y)), hn::Abs(normal.z));
   return hn::And(is_ahead, hn::Gt(size, hn::Zero(d)));
 }
@@ -89,12 +89,21 @@ HWY_INLINE AcceptedHits<D> accept(Method, D d, const Lanes3<D>& origin, const La
   return {held.t, hn::And(is_ahead, held.accepted)};
 }
 
-/// Corners of a block's triangles.
+/// Corners of a block's triangles, with these axes for x, y and z.
+template <class Block>
+HWY_INLINE Corners<Floats> corners_of(const Block& block, const uint32_t (&axes)[3]) {
+  const auto corner = [&](size_t row) HWY_ATTR {
+    const Floats d;
+    return Lanes3<Floats>{hn::Load(d, block.corners[row + axes[0]]),
+                          hn::Load(d, block.corners[row + axes[1]]),
+                          hn::Load(d, block.corners[row + axes[2]])};
+  };
+  return {corner(0), corner(3), corner(6)};
+}
 template <class Block>
 HWY_INLINE Corners<Floats> corners_of(const Block& block) {
-  const auto corner = [&](size_t row)
-                          HWY_ATTR { return load_rows(Floats(), block.corners[row], lane_count); };
-  return {corner(0), corner(3), corner(6)};
+  static constexpr uint32_t axes[3] = {0, 1, 2};
+  return corners_of(block, axes);
 }
 
 }  // namespace HWY_NAMESPACE

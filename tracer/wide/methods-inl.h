@@ -106,8 +106,7 @@ HWY_INLINE hn::Mask<D> is_hit(D, const WatertightHits<D>& hits) {
   return hits.mask;
 }
 
-/// Swaps the direction's `longest_axis` for z. One ray's is the same in all lanes, but a
-/// choice without branches costs less than a guess that fails.
+/// The `longest_axis` of directions.
 template <class D>
 class LongestAxis {
  public:
@@ -116,16 +115,34 @@ class LongestAxis {
     is_x_ = hn::And(hn::Gt(x, y), hn::Gt(x, z));
     is_y_ = hn::AndNot(is_x_, hn::Gt(y, z));
   }
-  HWY_INLINE Lanes3<D> as_z(const Lanes3<D>& p) const {
-    return {hn::IfThenElse(is_x_, p.z, p.x), hn::IfThenElse(is_y_, p.z, p.y), z_of(p)};
-  }
-  HWY_INLINE hn::Vec<D> z_of(const Lanes3<D>& p) const {
+  /// Along it.
+  HWY_INLINE hn::Vec<D> of(const Lanes3<D>& p) const {
     return hn::IfThenElse(is_x_, p.x, hn::IfThenElse(is_y_, p.y, p.z));
+  }
+  /// Where it is the same of all directions: that; else 3.
+  [[nodiscard]] HWY_INLINE uint32_t common() const {
+    const D d;
+    if (hn::AllTrue(d, is_x_)) return 0;
+    if (!hn::AllFalse(d, is_x_)) return 3;
+    return hn::AllTrue(d, is_y_) ? 1 : hn::AllFalse(d, is_y_) ? 2 : 3;
   }
 
  private:
   hn::Mask<D> is_x_, is_y_;
 };
+
+/// Whether a method shears: swaps the longest axis of a direction for z and takes, in its place, what
+/// `WoopWatertight::Shear` does: by_x, by_y, along.
+template <class Method>
+inline constexpr bool shears = std::is_same_v<Method, WoopWatertight>;
+
+/// The axes that a method takes for x, y and z where `longest` is the longest one. Swapped twice they are
+/// back.
+template <class Method>
+HWY_INLINE const uint32_t (&axes_of(uint32_t longest))[3] {
+  static constexpr uint32_t swapped[3][3] = {{2, 1, 0}, {0, 2, 1}, {0, 1, 2}};
+  return swapped[shears<Method> ? longest : 2];
+}
 
 /// A, B, C.
 template <class D>
@@ -139,17 +156,12 @@ HWY_INLINE TriangleVectors<D, 3> seen_from(WoopWatertight, const Lanes3<D>& orig
   const auto& [a, b, c] = prepared.v;
   return {{minus<D>(a, origin), minus<D>(b, origin), minus<D>(c, origin)}};
 }
-/// The formula of WoopWatertight::intersect up to where it turns to double.
+/// The formula of WoopWatertight::intersect up to where it turns to double, axes being swapped already.
 template <class D>
-HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& direction,
+HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& shear,
                                    const TriangleVectors<D, 3>& seen) {
-  const LongestAxis<D> axis(direction);
-  const Lanes3<D> towards = axis.as_z(direction);
-  const auto along = hn::Div(hn::Set(d, 1.0f), towards.z);
-  const auto by_x = hn::Mul(towards.x, along), by_y = hn::Mul(towards.y, along);
-  const auto sheared = [&](const Lanes3<D>& corner) HWY_ATTR {
-    const Lanes3<D> p = axis.as_z(corner);
-    return Lanes3<D>{hn::Sub(p.x, hn::Mul(by_x, p.z)), hn::Sub(p.y, hn::Mul(by_y, p.z)), p.z};
+  const auto sheared = [&](const Lanes3<D>& p) HWY_ATTR {
+    return Lanes3<D>{hn::Sub(p.x, hn::Mul(shear.x, p.z)), hn::Sub(p.y, hn::Mul(shear.y, p.z)), p.z};
   };
   const Lanes3<D> a = sheared(seen.v[0]), b = sheared(seen.v[1]), c = sheared(seen.v[2]);
   const auto edge = [](const Lanes3<D>& p, const Lanes3<D>& q)
@@ -163,7 +175,7 @@ HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& directi
   const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(u, v), w));
   const auto sum = hn::Add(hn::Add(hn::Mul(hn::Mul(u, inverse), a.z), hn::Mul(hn::Mul(v, inverse), b.z)),
                            hn::Mul(hn::Mul(w, inverse), c.z));
-  const auto t = hn::Mul(sum, along);
+  const auto t = hn::Mul(sum, shear.z);
   const auto is_ahead =
       hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity())));
   return {hn::IfThenElse(is_uncertain, hn::NaN(d), t), hn::And(is_inside, hn::Or(is_uncertain, is_ahead))};

@@ -33,7 +33,7 @@ class alignas(64) BlockRows {
             broadcast(d, rows[1][lane], rows[3][lane], rows[5][lane])};
   }
 
-  /// What a method knows of the triangles.
+  /// What a method knows of the triangles, in the order that it takes axes in.
   template <size_t count>
   HWY_INLINE void set_vectors(const TriangleVectors<Floats, count>& of) {
     static_assert(count <= most_vectors);
@@ -60,6 +60,7 @@ class alignas(64) BlockRows {
 
 struct alignas(64) Packet : StackPlace {
   alignas(64) PacketRows origin, direction, reciprocal;
+  PacketRows shear;      // for methods that shear
   BlockRows rows;        // of the block visited last
   float t[packet_size];  // nearest hits so far; any: negative where one is known
   uint32_t id[packet_size];
@@ -67,8 +68,26 @@ struct alignas(64) Packet : StackPlace {
   uint32_t first;  // of its rays
   uint32_t more;   // of the block visited last
   uint32_t has_news;
-  bool has_one_origin;  // and `rows` holds what is seen from there
+  bool has_one_origin;    // and `rows` holds what is seen from there
+  uint32_t longest_axis;  // of all directions; for methods that shear
   int32_t budget;
+
+  /// Whether all directions have the same longest axis, as methods want it that shear.
+  HWY_INLINE bool set_shear() {
+    const RayTag d;
+    longest_axis = LongestAxis<RayTag>(load_rays(direction, 0)).common();
+    for (size_t at = rays_at_once; at < packet_size; at += rays_at_once)
+      if (LongestAxis<RayTag>(load_rays(direction, at)).common() != longest_axis) return false;
+    if (longest_axis == 3) return false;
+    const auto& axes = axes_of<WoopWatertight>(longest_axis);
+    for (size_t at = 0; at < packet_size; at += rays_at_once) {
+      const RayLanes along = hn::Div(hn::Set(d, 1.0f), hn::Load(d, direction[axes[2]] + at));
+      hn::Store(hn::Mul(hn::Load(d, direction[axes[0]] + at), along), d, shear[0] + at);
+      hn::Store(hn::Mul(hn::Load(d, direction[axes[1]] + at), along), d, shear[1] + at);
+      hn::Store(along, d, shear[2] + at);
+    }
+    return true;
+  }
 };
 
 /// Where all rays meet one triangle of the packet's rows; whether any does. Infinity: not met.
@@ -78,15 +97,21 @@ HWY_INLINE bool solve_all(const Packet& packet, size_t lane, float* distances) {
   using Prepared = decltype(prepare(Method{}, Corners<RayTag>{}));
   using Seen = decltype(seen_from(Method{}, Lanes3<RayTag>{}, Prepared{}));
   const auto vectors = packet.rows.template vectors<std::conditional_t<has_one_origin, Seen, Prepared>>(lane);
+  const auto& axes = axes_of<Method>(packet.longest_axis);
   RayMask is_met = hn::FirstN(d, 0);
   for (size_t at = 0; at < packet_size; at += rays_at_once) {
     Seen seen;
     if constexpr (has_one_origin) {
       seen = vectors;
     } else {
-      seen = seen_from(Method{}, load_rays(packet.origin, at), vectors);
+      const auto& from = packet.origin;
+      seen = seen_from(Method{},
+                       Lanes3<RayTag>{hn::Load(d, from[axes[0]] + at), hn::Load(d, from[axes[1]] + at),
+                                      hn::Load(d, from[axes[2]] + at)},
+                       vectors);
     }
-    const auto found = solve(Method{}, d, load_rays(packet.direction, at), seen);
+    const auto found =
+        solve(Method{}, d, load_rays(shears<Method> ? packet.shear : packet.direction, at), seen);
     const RayMask hit = is_hit(d, found);
     hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
               distances + at);

@@ -123,7 +123,7 @@ class Packets {
     while (next_ + packet_size <= ray_count_) {
       const size_t first = next_;
       next_ += packet_size;
-      if (choice_.together() && loader_.load(packet, first)) {
+      if (choice_.together() && loader_.load(packet, first) && (!shears<Method> || packet.set_shear())) {
         RAYSWEEP_COUNT(count_, Visited::packet_begun);
         packet.budget = GroupChoice::budget;
         packet.has_news = 0;
@@ -180,13 +180,13 @@ class Packets {
       packet.budget -= static_cast<int32_t>(block.count);
       return 0;
     }
-    const Corners<Floats> corners = corners_of(block);
-    const LaneBoxes<Floats> boxes = boxes_of(d, corners);
-    packet.rows.set_boxes(boxes);
-    const auto prepared = prepare(Method{}, corners);
+    packet.rows.set_boxes(boxes_of(d, corners_of(block)));
+    const auto& axes = axes_of<Method>(packet.longest_axis);
+    const auto prepared = prepare(Method{}, corners_of(block, axes));
     if (packet.has_one_origin) {
-      const auto& [x, y, z] = packet.origin;
-      packet.rows.set_vectors(seen_from(Method{}, broadcast(d, x[0], y[0], z[0]), prepared));
+      const auto& from = packet.origin;
+      const auto origin = broadcast(d, from[axes[0]][0], from[axes[1]][0], from[axes[2]][0]);
+      packet.rows.set_vectors(seen_from(Method{}, origin, prepared));
     } else {
       packet.rows.set_vectors(prepared);
     }

@@ -35,7 +35,18 @@ struct alignas(64) Slot : StackPlace {
   uint32_t ray;
   alignas(16) float origin[4], direction[4];
   uint32_t is_flat;
+  uint32_t longest_axis;  // of the direction, and
+  float shear[3];         // how much the others are sheared, and 1 by its own: for methods that shear
   alignas(32) float distances[8];  // at which the block's triangles are hit, if accepted; infinity: not hit
+
+  HWY_INLINE void set_shear() {
+    const Vec3f along(direction[0], direction[1], direction[2]);
+    const auto longest = static_cast<uint32_t>(raysweep::longest_axis(along));
+    const float inverse = 1 / direction[longest];
+    for (size_t axis = 0; axis < 3; ++axis) shear[axis] = direction[axis] * inverse;
+    shear[longest] = inverse;
+    longest_axis = longest;
+  }
 };
 
 /// The ray of a slot for what is computed outside of lanes.

@@ -68,6 +68,7 @@ class Stream {
   HWY_INLINE void begin(uint32_t offset) {
     Slot& slot = slot_at(offset);
     chooser_.load_next(slot);
+    if constexpr (shears<Method>) slot.set_shear();
     Stacks::restart(slot);
     RAYSWEEP_COUNT(count_, Visited::ray_begun);
     lists_.next_nodes.slots[lists_.next_nodes.count++] = offset;
@@ -133,11 +134,13 @@ class Stream {
       Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
       const uint32_t index = child_index(slot.current);
       const Block& block = blocks[index];
-      const Lanes3<Floats> origin = broadcast(d, slot.origin[0], slot.origin[1], slot.origin[2]),
-                           direction = broadcast(d, slot.direction[0], slot.direction[1], slot.direction[2]);
       RAYSWEEP_COUNT(count_, Visited::ray_test, block.count);
+      const auto& axes = axes_of<Method>(slot.longest_axis);
+      const auto by_axes = [&](const float* v)
+                               HWY_ATTR { return broadcast(Floats(), v[axes[0]], v[axes[1]], v[axes[2]]); };
       const auto found =
-          solve(Method{}, d, direction, seen_from(Method{}, origin, prepare(Method{}, corners_of(block))));
+          solve(Method{}, d, by_axes(shears<Method> ? slot.shear : slot.direction),
+                seen_from(Method{}, by_axes(slot.origin), prepare(Method{}, corners_of(block, axes))));
       // Every lane of a block of spheres is a candidate.
       const uint32_t spheres = 0u - ((slot.current >> 30) & 1);
       const LaneMask hits = is_hit(d, found);
