@@ -10,19 +10,10 @@
 #include <algorithm>
 #include <array>
 
-#include "tracer/intersect/intersector.h"
+#include "tracer/accel/triangle_face.h"
 #include "tracer/scene/scene.h"
 
 namespace raysweep {
-
-template <class T>
-inline constexpr T unit_roundoff = std::numeric_limits<T>::epsilon() / 2;
-
-template <class T>
-[[nodiscard]] constexpr T gamma_bound(int roundings) {
-  const T nu = static_cast<T>(roundings) * unit_roundoff<T>;
-  return nu / (1 - nu);
-}
 
 /// Where a ray meets a shape.
 template <class T>
@@ -38,12 +29,6 @@ template <class T>
                                 const Vec3<T>& direction) {
   const bool against = !(dot(own_normal, direction) > 0);
   return {point, against ? own_normal : -own_normal, clearance, against};
-}
-
-/// `|a|·|b|` summed over the axes: what bounds the rounding of a dot product.
-template <class T>
-[[nodiscard]] T abs_dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
 }
 
 template <class T>
@@ -84,63 +69,6 @@ struct SphereShape {
   }
 };
 
-/// A triangle's edges and area, in double.
-template <class T>
-struct TriangleExtent {
-  std::array<double, 3> edge;  // lengths of those opposite to each corner
-  size_t apex;                 // opposite to the longest
-  Vec3d normal;                // as long as the area is large, twice
-  double area;                 // twice
-
-  explicit TriangleExtent(const Triangle<T>& t) {
-    const Vec3d a(t.a), b(t.b), c(t.c);
-    const std::array<Vec3d, 3> along{c - b, a - c, b - a};
-    for (size_t i = 0; i < 3; ++i) edge[i] = length(along[i]);
-    // Which edge is the longest nobody can guess: numbers, not branches.
-    const size_t of_two = edge[1] > edge[0] ? 1 : 0, is_third = edge[2] > edge[of_two] ? 1 : 0;
-    apex = of_two + is_third * (2 - of_two);
-    // The two shorter edges cancel least.
-    normal = cross(along[(apex + 2) % 3], -along[(apex + 1) % 3]);
-    area = length(normal);
-  }
-
-  /// Where the barycentric coordinate of `corner` is below this, rays start too near to the edge opposite. A
-  /// coordinate of 1 is an altitude away from it.
-  [[nodiscard]] T inset(size_t corner, T clearance) const {
-    constexpr double clearances = 4;  // keeps right at faces that meet at 15° or more
-    return static_cast<T>(std::min(0.25, clearances * static_cast<double>(clearance) * edge[corner] / area));
-  }
-};
-
-/// What hits and shading ask of a triangle besides its corners, and is not quickly found from them.
-template <class T>
-struct TriangleFace {
-  Vec3<T> normal;
-  T clearance = 0;
-  T inset = 0;
-
-  explicit TriangleFace(const Triangle<T>& t);
-};
-
-/// Let m be the largest absolute coordinates of the corners, by axis, and all errors be taken along the
-/// normal: × Σ|n|m. The point: 7 roundings of the barycentric sum (pbrt-v4, 6.8.5), 4 of coordinates that do
-/// not sum to 1; the ray's start: 1; the signed distance: 4 on |P − A| ≤ 2m; the rounded normal: 1 on 2m; a
-/// step from an edge: 2. Together 24. Where a thin triangle's cross product cancels, its normal errs by more:
-/// 8u·|e||f|/|e×f| in double, over the triangle's extent; e and f are the two shorter edges.
-template <class T>
-TriangleFace<T>::TriangleFace(const Triangle<T>& t) {
-  const TriangleExtent<T> extent(t);
-  if (!(extent.area > 0)) return;  // no surface: no ray is on one side of it
-  const size_t apex = extent.apex;
-  normal = Vec3<T>(extent.normal * (1 / extent.area));
-  const auto largest = [](T a, T b, T c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); };
-  const Vec3<T> m(largest(t.a.x, t.b.x, t.c.x), largest(t.a.y, t.b.y, t.c.y), largest(t.a.z, t.b.z, t.c.z));
-  const double normal_error =
-      8 * unit_roundoff<double> * extent.edge[(apex + 1) % 3] * extent.edge[(apex + 2) % 3] / extent.area;
-  clearance = gamma_bound<T>(24) * abs_dot(normal, m) + static_cast<T>(normal_error * extent.edge[apex]);
-  inset = extent.inset(apex, clearance);  // the longest edge has the widest
-}
-
 /// A triangle's corners and plane. Intersection methods find where a ray passes; on which side of the plane
 /// it started is decided here, once for all methods, so that it is certain for rays that start on the
 /// surface.
@@ -149,9 +77,9 @@ struct TriangleShape {
   Triangle<T> corners;
   Vec3<T> normal;
   T clearance;
-  T inset;  // the widest of all edges: see TriangleExtent
+  T inset;  // the widest of all edges: see inset_from
 
-  explicit TriangleShape(const Triangle<T>& t) : TriangleShape(t, TriangleFace<T>(t)) {}
+  explicit TriangleShape(const Triangle<T>& t) : TriangleShape(t, faces_of<T, 1>({t})[0]) {}
   /// `face` must be `t`'s.
   TriangleShape(const Triangle<T>& t, const TriangleFace<T>& face)
       : corners(t), normal(face.normal), clearance(face.clearance), inset(face.inset) {}
@@ -195,8 +123,10 @@ struct TriangleShape {
   /// `p`, whose barycentric coordinates are `at`. Kept out of the way of the many hits that lie elsewhere,
   /// and handed copies, so that shapes which nobody keeps need no place in memory.
   [[gnu::noinline]] static Vec3<T> stepped_inwards(Vec3<T> p, Triangle<T> corners, T clearance, Vec3<T> at) {
-    const TriangleExtent<T> extent(corners);
-    const auto least = [&](size_t corner) { return extent.inset(corner, clearance); };
+    const TriangleExtents<T, 1> extents({corners});
+    const auto least = [&](size_t corner) {
+      return inset_from(extents.edge[corner][0], extents.area[0], clearance);
+    };
     p += step_from_edge(corners.b, corners.c, corners.a, least(0) - at.x);
     p += step_from_edge(corners.c, corners.a, corners.b, least(1) - at.y);
     p += step_from_edge(corners.a, corners.b, corners.c, least(2) - at.z);
