@@ -40,8 +40,10 @@ struct alignas(64) Slot : StackPlace {
   alignas(32) float distances[8];  // at which the block's triangles are hit, if accepted; infinity: not hit
 
   HWY_INLINE void set_shear() {
-    const Vec3f along(direction[0], direction[1], direction[2]);
-    const auto longest = static_cast<uint32_t>(raysweep::longest_axis(along));
+    const float x = std::abs(direction[0]), y = std::abs(direction[1]), z = std::abs(direction[2]);
+    // As raysweep::longest_axis, but which one it is nobody can guess: numbers, not branches.
+    const uint32_t is_x = (x > y ? 1u : 0u) & (x > z ? 1u : 0u), is_y = y > z ? 1u : 0u;
+    const uint32_t longest = (1 - is_x) * (2 - is_y);
     const float inverse = 1 / direction[longest];
     for (size_t axis = 0; axis < 3; ++axis) shear[axis] = direction[axis] * inverse;
     shear[longest] = inverse;
