@@ -7,9 +7,6 @@
 // tuned epsilon takes part: clearances scale with coordinates.
 #pragma once
 
-#include <algorithm>
-#include <array>
-
 #include "tracer/accel/triangle_face.h"
 #include "tracer/scene/scene.h"
 

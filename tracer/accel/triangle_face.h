@@ -2,7 +2,6 @@
 // compilers turn into vectors.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -26,13 +25,23 @@ template <class T>
   return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
 }
 
+/// By value: GCC makes branches of std::min and std::max over memory, and corners come in no order.
+template <class T>
+[[nodiscard]] constexpr T smaller(T a, T b) {
+  return b < a ? b : a;
+}
+template <class T>
+[[nodiscard]] constexpr T larger(T a, T b) {
+  return a < b ? b : a;
+}
+
 /// Where a barycentric coordinate is below this, rays start too near to the edge opposite, which is `edge`
 /// long. A coordinate of 1 is an altitude away from it. `area`: of the triangle, twice.
 template <class T>
 [[nodiscard]] T inset_from(double edge, double area, T clearance) {
   constexpr double clearances = 4;  // keeps right at faces that meet at 15° or more
   const double share = clearances * static_cast<double>(clearance) * edge / area;
-  return static_cast<T>(share < 0.25 ? share : 0.25);
+  return static_cast<T>(smaller(0.25, share));
 }
 
 /// Edges and areas of `n` triangles, in double.
@@ -110,7 +119,6 @@ template <class T, size_t n>
     for (size_t axis = 0; axis < 3; ++axis)
       normal[axis][i] = has_area ? static_cast<T>(of.normal[axis][i] * inverse) : 0;
     const auto largest = [&](size_t axis) {
-      const auto larger = [](T a, T b) { return a < b ? b : a; };
       return larger(larger(std::abs(of.corner[axis][i]), std::abs(of.corner[axis + 3][i])),
                     std::abs(of.corner[axis + 6][i]));
     };

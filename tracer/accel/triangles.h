@@ -1,6 +1,7 @@
 // Two ways to keep a scene's triangles: at hand, or small.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -13,16 +14,6 @@ namespace raysweep {
 /// from the surface.
 template <class T>
 inline constexpr T box_padding = 4 * std::numeric_limits<T>::epsilon();
-
-/// By value: GCC makes branches of std::min and std::max over memory, and corners come in no order.
-template <class T>
-[[nodiscard]] constexpr T smaller(T a, T b) {
-  return b < a ? b : a;
-}
-template <class T>
-[[nodiscard]] constexpr T larger(T a, T b) {
-  return a < b ? b : a;
-}
 
 template <class T>
 [[nodiscard]] Box<T> padded(const Box<T>& box) {
