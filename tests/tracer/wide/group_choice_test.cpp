@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tracer/scene_sizes.h"
+#include "tests/tracer/triangle_row.h"
 #include "tests/tracer/wide/batches.h"
 
 namespace raysweep {
@@ -100,6 +101,23 @@ TEST(group_choice, is_asked_and_told_by_kernels) {
       EXPECT_GT(groups_alone(averse), count / packet_size / 2) << isa << ": packets take longer than that";
     }
   });
+}
+
+/// Without a hierarchy a packet that hits nothing has more to test than its budget.
+TEST(group_choice, is_told_of_packets_that_give_up) {
+  const std::vector<TestRay<float>> down_the_row(
+      1600, {{{0.4f, 0.4f, 3}, {0.0001f, 0.0002f, -1}}, std::numeric_limits<float>::infinity()});
+  const RayBatch rays = batch_of(down_the_row);
+  for_each_wide_core<MollerTrumbore>(
+      triangles_in_a_row(1000), "none", 1, [&](const auto& core, std::string_view isa) {
+        for (const bool any : {false, true}) {
+          HitBatch hits(rays.size);
+          KernelScratch scratch;
+          EXPECT_TRUE(scratch.choice(any).together());
+          any ? core.occluded(rays, hits, scratch) : core.closest(rays, hits, scratch);
+          EXPECT_FALSE(scratch.choice(any).together()) << isa;
+        }
+      });
 }
 
 }  // namespace
