@@ -27,6 +27,10 @@ inline constexpr uint32_t row_bytes = lane_count * sizeof(float);
 HWY_INLINE Lanes3<RayTag> load_rays(const PacketRows& rows, size_t at) {
   return load_rows(RayTag(), rows[0] + at, packet_size);
 }
+#if HWY_TARGET == HWY_AVX3  // elsewhere rays in lanes are as many as triangles
+/// One bit a ray.
+HWY_INLINE uint32_t bits_of(RayMask mask) { return mask.raw; }
+#endif
 /// One triangle's numbers for every ray.
 HWY_INLINE Lanes3<RayTag> spread(const float (*rows)[lane_count], size_t lane) {
   return broadcast(RayTag(), rows[0][lane], rows[1][lane], rows[2][lane]);
@@ -53,8 +57,12 @@ struct Ranges {
 
 class RangesOf {
  public:
-  HWY_INLINE RangesOf() {
-    for (RayLanes& v : least_) v = hn::Set(RayTag(), std::numeric_limits<float>::infinity());
+  HWY_INLINE void begin(const Lanes3<RayTag>& v, RayLanes more) {
+    const RayLanes all[4] = {v.x, v.y, v.z, more};
+    for (size_t i = 0; i < 4; ++i) {
+      least_[i] = all[i];
+      least_[i + 4] = hn::Neg(all[i]);
+    }
   }
   HWY_INLINE void include(const Lanes3<RayTag>& v, RayLanes more) {
     const RayLanes all[4] = {v.x, v.y, v.z, more};
@@ -86,15 +94,21 @@ class RangesOf {
   RayLanes least_[8];  // the last four: of the numbers negated
 };
 
+/// Boxes that some ray may be inside of, and when the first one is.
+struct Meeting {
+  FloatLanes enter;
+  LaneMask met;
+};
+
 /// When a packet meets planes: t = plane·slope + offset, for the first of its rays to enter and for the last
 /// to leave. Rays of a packet start between two origins and have directions between two others, by axis.
 /// Where those are of one sign, what is entered lies ahead, at a way of (plane − origin)/direction ≥ 0, which
 /// is least for the longest direction and the origin farthest along; where it is not ahead, less than 0 is
 /// found as well, and 0 is taken. In the same way the last to leave has the shortest direction and the
-/// hindmost origin. On one axis at most signs may differ. There, rays that rise enter by the lower plane and
-/// those that fall by the upper one, the first of them as above, no box is met before both, and some ray may
-/// stay inside for ever. Offsets are moved to the safe side, and limits and far distances widened, as in
-/// Slot.
+/// hindmost origin. Where signs differ on one axis, rays that rise enter by its lower plane and those that
+/// fall by the upper one, the first of them as above, no box is met before both, and some ray may stay inside
+/// for ever. Where they differ on more, each of these axes has no say but for children that are not there.
+/// Offsets are moved to the safe side, and limits and far distances widened, as in Slot.
 struct alignas(16) Beam {
   /// The last of each near one is that of rays which fall while others rise; where there are none, the first
   /// one's again.
@@ -102,6 +116,7 @@ struct alignas(16) Beam {
   uint32_t near_plane[4];  // bytes into a node
   uint32_t order;          // as well: of the octant's order
   float limit;             // no ray asks for more
+  uint32_t is_tight;       // whether every axis has a say
 
   HWY_INLINE void aim(const Ranges& from, const Ranges& along) {
     const Axes d;
@@ -122,26 +137,27 @@ struct alignas(16) Beam {
     alignas(16) static constexpr uint32_t lower[4] = {0, 2 * row_bytes, 4 * row_bytes, 0};
     const auto upper = hn::IfThenElseZero(hn::RebindMask(dw, falls), hn::Set(dw, row_bytes));
     hn::Store(hn::Add(hn::Load(dw, lower), upper), dw, near_plane);
-    const uint32_t axis = mixed_axis(along);
-    if (axis < 3) {
+    const uint32_t mixed = mixed_axes(along);
+    is_tight = (mixed & (mixed - 1)) == 0 ? 1 : 0;
+    if (mixed == 0) {
+      repeat_first();
+    } else if (is_tight != 0) {
+      const auto axis = hwy::Num0BitsBelowLS1Bit_Nonzero32(mixed);
       near_slope[3] = far_slope[axis];
       near_offset[3] = hn::ExtractLane(hn::Sub(far_c, error(far_c)), axis);
       near_plane[3] = near_plane[axis] ^ row_bytes;
-      // Still before everything for a child that is not there.
-      far_slope[axis] = smallest;
-      far_offset[axis] = std::numeric_limits<float>::max();
+      open_far_end(axis);
     } else {
-      near_slope[3] = near_slope[0];
-      near_offset[3] = near_offset[0];
-      near_plane[3] = near_plane[0];
+      for (uint32_t left = mixed; left != 0; left &= left - 1) {
+        const auto axis = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+        near_slope[axis] = smallest;
+        near_offset[axis] = -1;
+        open_far_end(axis);
+      }
+      repeat_first();
     }
   }
 
-  /// Boxes that some ray may be inside of, and when the first one is.
-  struct Meeting {
-    FloatLanes enter;
-    LaneMask met;
-  };
   /// `plane(row)`: lower bounds on x, upper ones, lower ones on y, and so on.
   template <class Plane>
   [[nodiscard]] HWY_INLINE Meeting meet(const Plane& plane) const {
@@ -161,14 +177,24 @@ struct alignas(16) Beam {
   }
 
  private:
-  /// The axis on which directions have different signs; 3: none.
-  HWY_INLINE static uint32_t mixed_axis(const Ranges& along) {
+  HWY_INLINE void repeat_first() {
+    near_slope[3] = near_slope[0];
+    near_offset[3] = near_offset[0];
+    near_plane[3] = near_plane[0];
+  }
+  /// Still before everything for a child that is not there.
+  HWY_INLINE void open_far_end(size_t axis) {
+    far_slope[axis] = smallest;
+    far_offset[axis] = std::numeric_limits<float>::max();
+  }
+
+  /// The axes on which directions have different signs, a bit each.
+  HWY_INLINE static uint32_t mixed_axes(const Ranges& along) {
     const Axes d;
     const auto zero = hn::Zero(d);
-    const auto mixed =
-        hn::And(hn::And(hn::Lt(along.least, zero), hn::Gt(along.most, zero)), hn::FirstN(d, 3));
-    const intptr_t axis = hn::FindFirstTrue(d, mixed);
-    return axis < 0 ? 3 : static_cast<uint32_t>(axis);
+    uint8_t bits[8];  // Highway writes up to 8 bytes
+    hn::StoreMaskBits(d, hn::And(hn::Lt(along.least, zero), hn::Gt(along.most, zero)), bits);
+    return bits[0] & 7u;
   }
 };
 

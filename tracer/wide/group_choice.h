@@ -10,17 +10,25 @@ namespace raysweep {
 /// Rays that go together, if they do: neighbours in a batch, from multiples of this on.
 inline constexpr size_t packet_size = 16;
 
-/// Chooses for each group of `packet_size` rays of one kind by what packets gained and lost of late, from
-/// batch to batch. A packet meets nodes, blocks and triangles, a step each; one that ends within its budget
-/// saved what its rays would have taken alone, one that gives up took its steps for nothing. The answers are
-/// the same either way.
+/// About what steps of kernels take, in cycles, as measured with AVX-512.
+struct StepCosts {
+  // One ray that goes alone.
+  static constexpr uint32_t ray = 45, ray_node = 17, ray_block = 38;
+  // A packet.
+  static constexpr uint32_t packet = 150, box = 35, node = 35, node_of_few = 55;
+  /// A leaf, of whose triangles a beam meets about three; or the same for one ray after the other.
+  static constexpr uint32_t leaf_together = 220, leaf_apart = 40, ray_apart = 40;
+};
+
+/// Chooses for each group of `packet_size` rays of one kind by what packets took of late and what their rays
+/// would have taken alone, from batch to batch. The answers are the same either way.
 class GroupChoice {
  public:
-  /// Steps that a packet may take: about what costs as much as 16 single rays on `pebble`. Hardly a packet of
-  /// camera rays takes that many, of shadow rays about one in six (results/recorded/vm/limits.md).
-  static constexpr int32_t budget = 96;
-  /// About what a single ray takes, in cycles, as measured with AVX-512 on `pebble`.
-  static constexpr uint64_t cycles_of_node = 17, cycles_of_block = 38, cycles_of_ray = 45;
+  /// Whether a group that could go together is to go alone so that it is known what that takes: a few, once.
+  [[nodiscard]] bool explores() {
+    ready_ = std::min(ready_ + 1, trusted + explored);
+    return ready_ > trusted && ready_ < trusted + explored;
+  }
 
   /// Whether the next group is to go together. Where that has not paid, many go alone before it is tried
   /// again.
@@ -30,8 +38,8 @@ class GroupChoice {
     return false;
   }
 
-  void ended(int32_t steps) { gain_ = std::min(gain_ + worth_ - steps, most_gain); }
-  void gave_up(int32_t steps) { gain_ -= steps; }
+  /// Tells what a packet took, in cycles.
+  void went_together(uint32_t cycles) { gain_ = std::min(gain_ + worth_ - int64_t{cycles}, most_gain); }
 
   /// Tells what `rays` took that went alone, of which the last ten thousands count.
   void went_alone(uint64_t cycles, size_t rays) {
@@ -42,16 +50,17 @@ class GroupChoice {
       cycles_ /= 2;
       rays_ /= 2;
     }
-    if (rays_ >= packet_size) worth_ = static_cast<int32_t>(cycles_ * packet_size / rays_ / cycles_per_step);
+    if (rays_ >= packet_size) worth_ = static_cast<int64_t>(cycles_ * packet_size / rays_);
   }
 
  private:
-  static constexpr uint64_t cycles_per_step = 22;
-  static constexpr int32_t most_gain = 20 * budget, most_alone = 32;
+  static constexpr uint32_t trusted = 32, explored = 9, most_alone = 32;
+  static constexpr int64_t most_gain = 50'000;  // some ten packets
 
   uint64_t cycles_ = 0, rays_ = 0;  // of rays that went alone
-  int32_t worth_ = 2 * budget;      // steps that a packet saves; this until it is known
-  int32_t gain_ = most_gain, alone_ = 0;
+  int64_t worth_ = 5'000;           // what a packet saves; this until it is known
+  int64_t gain_ = most_gain;
+  uint32_t ready_ = 0, alone_ = 0;
 };
 
 }  // namespace raysweep

@@ -63,6 +63,12 @@ HWY_INLINE uint32_t bits_of(LaneMask mask) {
   return bits[0];
 }
 
+/// The lowest bits, one a lane.
+HWY_INLINE LaneMask mask_of(uint32_t bits) {
+  uint8_t low[8] = {static_cast<uint8_t>(bits & ((1u << lane_count) - 1))};
+  return hn::LoadMaskBits(Floats(), low);
+}
+
 /// `first` and the numbers behind it. Highway's Iota would put them together in memory.
 HWY_INLINE WordLanes count_from(uint32_t first) {
   const Words d;

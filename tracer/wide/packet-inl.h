@@ -7,6 +7,7 @@
 #endif
 
 #include "tracer/wide/beam-inl.h"
+#include "tracer/wide/nearest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -58,19 +59,28 @@ class alignas(64) BlockRows {
   float vectors_[3 * most_vectors][lane_count];
 };
 
+/// As many as keep what they hold in the first cache, or little more.
+inline constexpr uint32_t packets_in_flight = 24;
+
 struct alignas(64) Packet : StackPlace {
   alignas(64) PacketRows origin, direction, reciprocal;
-  PacketRows shear;      // for methods that shear
-  BlockRows rows;        // of the block visited last
+  /// Planes of boxes are met at t = plane·reciprocal + offset, with `slack` for rounding: as in Slot, where
+  /// each plane is moved to the safe side by 4u|c| and some more. Here the far end of what lies between
+  /// planes is moved, by thrice what the worst of a ray's axes takes: that outweighs both ends, widened.
+  PacketRows offset;
+  float slack[packet_size];
   float t[packet_size];  // nearest hits so far; any: negative where one is known
   uint32_t id[packet_size];
+  PacketRows shear;  // for methods that shear
   Beam beam;
-  uint32_t first;  // of its rays
-  uint32_t more;   // of the block visited last
+  uint32_t first;      // of its rays
+  WideChild child;     // visited
+  uint32_t active;     // rays that meet the box of `child`, a bit each
+  uint32_t is_tested;  // whether that is to be asked
   uint32_t has_news;
-  bool has_one_origin;    // and `rows` holds what is seen from there
+  uint32_t has_one_origin;
   uint32_t longest_axis;  // of all directions; for methods that shear
-  int32_t budget;
+  uint32_t cost;          // so far, in cycles: see StepCosts
 
   /// Whether all directions have the same longest axis, as methods want it that shear.
   HWY_INLINE bool set_shear() {
@@ -90,13 +100,68 @@ struct alignas(64) Packet : StackPlace {
   }
 };
 
-/// Where all rays meet one triangle of the packet's rows; whether any does. Infinity: not met.
+/// The rays that meet a box, a bit each. `plane(axis, side)`: its lower or upper bound.
+template <class Plane>
+HWY_INLINE uint32_t rays_that_meet(const Packet& packet, const Plane& plane) {
+  const RayTag d;
+  uint32_t bits = 0;
+  for (size_t at = 0; at < packet_size; at += rays_at_once) {
+    const auto meet = [&](size_t axis, size_t side) HWY_ATTR {
+      return hn::MulAdd(hn::Set(RayTag(), plane(axis, side)),
+                        hn::Load(RayTag(), packet.reciprocal[axis] + at),
+                        hn::Load(RayTag(), packet.offset[axis] + at));
+    };
+    const RayLanes x0 = meet(0, 0), x1 = meet(0, 1), y0 = meet(1, 0), y1 = meet(1, 1), z0 = meet(2, 0),
+                   z1 = meet(2, 1);
+    const RayLanes enter =
+        hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(d)));
+    const RayLanes leave = hn::Min(hn::Max(x0, x1), hn::Min(hn::Max(y0, y1), hn::Max(z0, z1)));
+    const RayLanes limit = hn::MulAdd(hn::Min(leave, hn::Load(d, packet.t + at)), hn::Set(d, widening),
+                                      hn::Load(d, packet.slack + at));
+    bits |= bits_of(hn::Le(enter, limit)) << at;
+  }
+  return bits;
+}
+
+/// Children of a node that one ray meets.
+HWY_INLINE Meeting meet_of_ray(const Packet& packet, size_t ray, const WideNode<lane_count>& node) {
+  const Floats d;
+  const auto row = [&node](size_t axis, size_t side)
+                       HWY_ATTR { return hn::Load(Floats(), node.bounds[axis][side]); };
+  const auto meet = [&](size_t axis, size_t side) HWY_ATTR {
+    return hn::MulAdd(row(axis, side), hn::Set(Floats(), packet.reciprocal[axis][ray]),
+                      hn::Set(Floats(), packet.offset[axis][ray]));
+  };
+  const FloatLanes slack = hn::Set(d, packet.slack[ray]);
+  const FloatLanes x0 = meet(0, 0), x1 = meet(0, 1), y0 = meet(1, 0), y1 = meet(1, 1), z0 = meet(2, 0),
+                   z1 = meet(2, 1);
+  const FloatLanes enter =
+      hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(d)));
+  const FloatLanes leave = hn::Min(hn::Max(x0, x1), hn::Min(hn::Max(y0, y1), hn::Max(z0, z1)));
+  const FloatLanes limit = hn::MulAdd(hn::Min(leave, hn::Set(d, packet.t[ray])), hn::Set(d, widening), slack);
+  // The planes of a child that is not there are in reverse order.
+  const LaneMask is_there = hn::Le(row(0, 0), row(0, 1));
+  return {hn::Sub(enter, slack), hn::And(hn::Le(enter, limit), is_there)};
+}
+
+/// The octant that a ray goes to, as in WideNode::far_to_near.
+HWY_INLINE uint32_t octant_of(const Packet& packet, size_t ray) {
+  const auto falls = [&](size_t axis) { return std::bit_cast<uint32_t>(packet.reciprocal[axis][ray]) >> 31; };
+  return falls(0) + 2 * falls(1) + 4 * falls(2);
+}
+
+HWY_INLINE RayNumbers ray_of(const Packet& packet, size_t i) {
+  const auto of = [i](const PacketRows& rows) { return Vec3f(rows[0][i], rows[1][i], rows[2][i]); };
+  return {of(packet.origin), of(packet.direction), of(packet.reciprocal)};
+}
+
+/// Where all rays meet one triangle of `rows`; whether any does. Infinity: not met.
 template <class Method, bool has_one_origin>
-HWY_INLINE bool solve_all(const Packet& packet, size_t lane, float* distances) {
+HWY_INLINE bool solve_all(const Packet& packet, const BlockRows& rows, size_t lane, float* distances) {
   const RayTag d;
   using Prepared = decltype(prepare(Method{}, Corners<RayTag>{}));
   using Seen = decltype(seen_from(Method{}, Lanes3<RayTag>{}, Prepared{}));
-  const auto vectors = packet.rows.template vectors<std::conditional_t<has_one_origin, Seen, Prepared>>(lane);
+  const auto vectors = rows.template vectors<std::conditional_t<has_one_origin, Seen, Prepared>>(lane);
   const auto& axes = axes_of<Method>(packet.longest_axis);
   RayMask is_met = hn::FirstN(d, 0);
   for (size_t at = 0; at < packet_size; at += rays_at_once) {
@@ -134,6 +199,16 @@ HWY_INLINE void keep(Packet& packet, size_t at, RayLanes t, RayMask accepted, ui
   packet.has_news |= hn::AllFalse(d, kept) ? 0 : 1;
   hn::Store(hn::IfThenElse(kept, any ? hn::Neg(t) : t, before), d, packet.t + at);
   hn::Store(hn::IfThenElse(hn::RebindMask(dw, kept), id, ids), dw, packet.id + at);
+}
+
+/// The same of one ray.
+template <bool any>
+HWY_INLINE void keep_of_ray(Packet& packet, size_t i, const Hit<float>& hit) {
+  const Hit<float> before{packet.t[i], packet.id[i]};
+  const bool is_kept = any ? hit.t < before.t : hit.before(before);
+  packet.t[i] = is_kept ? (any ? -hit.t : hit.t) : before.t;
+  packet.id[i] = is_kept ? hit.id : before.id;
+  packet.has_news |= is_kept ? 1 : 0;
 }
 
 template <bool any, class Method>

@@ -19,46 +19,34 @@ namespace HWY_NAMESPACE {
 /// exact ray passes within 15u(|O| + |p|) of it, p being the box's farthest plane: 3 roundings of each end of
 /// the interval and its widening. A computed end is off by 3u(2|O| + |E|). Ends are moved by 32u(|O| + |E| +
 /// |p|), which is more; the roundings of the beam's own operations are outweighed as Slot's are.
+enum class Loaded { ready, misses_everything, irregular };
+
 template <bool any>
 class PacketLoader {
  public:
   HWY_INLINE PacketLoader(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds)
-      : rays_(rays), hits_(hits), size_(std::max(max_abs(bounds.lower()), max_abs(bounds.upper()))) {}
+      : rays_(rays),
+        hits_(hits),
+        bounds_(bounds),
+        size_(std::max(max_abs(bounds.lower()), max_abs(bounds.upper()))) {}
 
-  /// Whether rays `first` and following are regular and have directions of equal signs but on one axis; then
-  /// `packet` holds them.
-  HWY_INLINE bool load(Packet& packet, size_t first) const {
-    if (!is_alike(first)) return false;
+  /// Loads rays `first` and following into `packet`, if they are regular and some may meet something.
+  HWY_INLINE Loaded load(Packet& packet, size_t first) const {
+    if (!are_regular(first)) return Loaded::irregular;
     load_hits(packet, first);
-    const RayTag d;
-    const RayLanes one = hn::Set(d, 1.0f);
-    RangesOf origins, directions, ends;
-    for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const size_t ray = first + at;
-      const Lanes3<RayTag> origin = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, ray),
-                           direction = load(rays_.direction_x, rays_.direction_y, rays_.direction_z, ray);
-      store(origin, packet.origin, at);
-      store(direction, packet.direction, at);
-      store({hn::Div(one, direction.x), hn::Div(one, direction.y), hn::Div(one, direction.z)},
-            packet.reciprocal, at);
-      origins.include(origin, hn::Zero(d));
-      directions.include(direction, hn::Load(d, packet.t + at));
-      if constexpr (any) ends.include(end_of(origin, direction, ray), hn::Zero(d));
-    }
-    const Ranges from = origins.get(), along = directions.get();
+    for (size_t at = 0; at < packet_size; at += rays_at_once) load_rays_at(packet, first, at);
+    const auto bound = [this](size_t axis, size_t side)
+                           HWY_ATTR { return bounds_.bounds[side][static_cast<int>(axis)]; };
+    if (rays_that_meet(packet, bound) == 0) return Loaded::misses_everything;
     packet.first = static_cast<uint32_t>(first);
-    packet.has_one_origin = !any && from.extent() == 0;
-    packet.beam.limit = hn::ExtractLane(along.most, 3) * widening;
-    packet.beam.order = order_of(along);
-    if (!any || !aim_back(packet.beam, from, ends, along)) packet.beam.aim(from, along);
-    return true;
+    aim(packet, first);
+    return Loaded::ready;
   }
 
  private:
-  [[nodiscard]] HWY_INLINE bool is_alike(size_t first) const {
+  [[nodiscard]] HWY_INLINE bool are_regular(size_t first) const {
     const RayTag d;
-    RayMask is_regular = hn::FirstN(d, rays_at_once), falls[3], rises[3];
-    for (size_t axis = 0; axis < 3; ++axis) falls[axis] = rises[axis] = hn::FirstN(d, 0);
+    RayMask is_regular = hn::FirstN(d, rays_at_once);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
       const size_t ray = first + at;
       const Lanes3<RayTag> from = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, ray),
@@ -71,17 +59,8 @@ class PacketLoader {
       is_regular = hn::And(hn::And(is_regular, hn::Eq(t, t)),
                            hn::And(hn::Ge(hn::Min(hn::Min(x, y), z), hn::Set(d, regular_low)),
                                    hn::Le(sum, hn::Set(d, regular_high))));
-      const RayLanes axes[3] = {along.x, along.y, along.z};
-      for (size_t axis = 0; axis < 3; ++axis) {
-        const RayMask falling = hn::Lt(axes[axis], hn::Zero(d));
-        falls[axis] = hn::Or(falls[axis], falling);
-        rises[axis] = hn::Or(rises[axis], hn::Not(falling));
-      }
     }
-    int mixed_axes = 0;
-    for (size_t axis = 0; axis < 3; ++axis)
-      mixed_axes += hn::AllFalse(d, falls[axis]) || hn::AllFalse(d, rises[axis]) ? 0 : 1;
-    return mixed_axes <= 1 && hn::AllTrue(d, is_regular);
+    return hn::AllTrue(d, is_regular);
   }
 
   HWY_INLINE void load_hits(Packet& packet, size_t first) const {
@@ -95,6 +74,52 @@ class PacketLoader {
       hn::Store(t, d, packet.t + at);
       hn::Store(id, dw, packet.id + at);
     }
+  }
+
+  HWY_INLINE void load_rays_at(Packet& packet, size_t first, size_t at) const {
+    const RayTag d;
+    const RayLanes one = hn::Set(d, 1.0f);
+    const size_t ray = first + at;
+    const Lanes3<RayTag> origin = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, ray),
+                         direction = load(rays_.direction_x, rays_.direction_y, rays_.direction_z, ray),
+                         reciprocal{hn::Div(one, direction.x), hn::Div(one, direction.y),
+                                    hn::Div(one, direction.z)},
+                         offset{hn::Neg(hn::Mul(origin.x, reciprocal.x)),
+                                hn::Neg(hn::Mul(origin.y, reciprocal.y)),
+                                hn::Neg(hn::Mul(origin.z, reciprocal.z))};
+    store(origin, packet.origin, at);
+    store(direction, packet.direction, at);
+    store(reciprocal, packet.reciprocal, at);
+    store(offset, packet.offset, at);
+    const RayLanes worst = hn::Max(hn::Max(hn::Abs(offset.x), hn::Abs(offset.y)), hn::Abs(offset.z));
+    hn::Store(hn::MulAdd(worst, hn::Set(d, 3 * offset_error), hn::Set(d, 3 * smallest)), d,
+              packet.slack + at);
+  }
+
+  HWY_INLINE void aim(Packet& packet, size_t first) const {
+    const RayTag d;
+    const RayLanes zero = hn::Zero(d);
+    RangesOf origins, directions, ends;
+    for (size_t at = 0; at < packet_size; at += rays_at_once) {
+      const Lanes3<RayTag> origin = load_rays(packet.origin, at), direction = load_rays(packet.direction, at);
+      const RayLanes t = hn::Load(d, packet.t + at);
+      if (at == 0) {
+        origins.begin(origin, zero);
+        directions.begin(direction, t);
+      } else {
+        origins.include(origin, zero);
+        directions.include(direction, t);
+      }
+      if constexpr (any) {
+        const Lanes3<RayTag> end = end_of(origin, direction, first + at);
+        at == 0 ? ends.begin(end, zero) : ends.include(end, zero);
+      }
+    }
+    const Ranges from = origins.get(), along = directions.get();
+    packet.has_one_origin = !any && from.extent() == 0 ? 1 : 0;
+    packet.beam.limit = hn::ExtractLane(along.most, 3) * widening;
+    packet.beam.order = order_of(along);
+    if (!any || !aim_back(packet.beam, from, ends, along)) packet.beam.aim(from, along);
   }
 
   [[nodiscard]] HWY_INLINE Lanes3<RayTag> end_of(const Lanes3<RayTag>& origin,
@@ -136,6 +161,7 @@ class PacketLoader {
 
   const RayBatch& rays_;
   const HitBatch& hits_;
+  const Box<float>& bounds_;
   const float size_;  // of the scene: its largest coordinate
 };
 

@@ -1,9 +1,10 @@
-// Packets of neighbouring rays that go the same way down a hierarchy. A node's boxes are compared with
-// intervals that hold every ray of a packet (Boulos, Wald & Shirley 2006, "Geometric and arithmetic culling
-// methods for entire ray packets"), so that a node costs a packet little more than a ray; so are the boxes of
-// a leaf's triangles, and each triangle that is left meets all rays at once, in lanes. As in Stream, several
-// take turns, without a branch that depends on a ray. A packet whose rays part costs more than they would
-// alone, so it has a budget, and where packets do not pay rays go alone for a while.
+// Packets of neighbouring rays that go down a hierarchy together. A node's boxes are compared with a beam
+// that holds all rays of a packet (Boulos, Wald & Shirley 2006, "Geometric and arithmetic culling methods for
+// entire ray packets"), so that a node costs a packet little more than a ray. What a beam meets, hardly any
+// of its rays may: so before a child is visited its box meets all rays at once, a ray a lane. That tells how
+// many are still together, and what is cheapest for them: the beam, or each of two rays by itself; a leaf's
+// triangles one by one with all rays, or its rays one by one with all triangles. As in Stream, several
+// packets take turns, sorted by what they need next, without a branch that depends on a ray.
 #if defined(RAYSWEEP_WIDE_PACKETS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYSWEEP_WIDE_PACKETS_INL_H_
 #undef RAYSWEEP_WIDE_PACKETS_INL_H_
@@ -11,17 +12,29 @@
 #define RAYSWEEP_WIDE_PACKETS_INL_H_
 #endif
 
+#include <array>
 #include <utility>
 
-#include "tracer/wide/packet-inl.h"
+#include "tracer/wide/packet_leaves-inl.h"
+#include "tracer/wide/packet_lists-inl.h"
 #include "tracer/wide/packet_loader-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
 
-/// As many as keep what they hold in the first cache.
-inline constexpr uint32_t packets_in_flight = 8;
+/// What a packet goes on to: a child of a node, by the node's index times `lane_count` plus the child's
+/// number, with `leaf_bit` set where that is a leaf.
+struct ChildPlace {
+  HWY_INLINE explicit ChildPlace(uint32_t place)
+      : node((place & ~leaf_bit) / lane_count), lane(place % lane_count) {}
+  /// Those of all children.
+  HWY_INLINE static WordLanes of_all(uint32_t node, WordLanes children) {
+    return hn::Or(hn::And(children, hn::Set(Words(), leaf_bit)), count_from(node * lane_count));
+  }
+
+  size_t node, lane;
+};
 
 template <class Method, bool any>
 class Packets {
@@ -31,29 +44,21 @@ class Packets {
   using Block = typename Geometry::Block;
 
   HWY_INLINE Packets(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
-      : primitives_(*geometry.primitives),
-        nodes_(geometry.tree.nodes.data()),
+      : nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
         hits_(hits),
         ray_count_(rays.size),
         alone_(scratch.groups),
         count_(scratch.visits),
         loader_(rays, hits, geometry.tree.bounds),
-        choice_(scratch.choice(any)) {
+        choice_(scratch.choice(any)),
+        leaves_(geometry, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     packets_ = static_cast<char*>(
         scratch.reserve(packets_in_flight * (sizeof(Packet) + stack_size * Stacks::entry_bytes) +
-                        test_count * sizeof(float[packet_size]) +
-                        (4 * packets_in_flight + 2 * test_count + lane_count) * sizeof(uint32_t)));
-    distances_ = reinterpret_cast<float(*)[packet_size]>(
-        stacks_.place(packets_ + packets_in_flight * sizeof(Packet), packets_in_flight, stack_size));
-    auto* lists = reinterpret_cast<uint32_t*>(distances_ + test_count);
-    for (uint32_t** list : {&nodes_next_, &nodes_now_, &leaves_next_, &leaves_now_}) {
-      *list = lists;
-      lists += packets_in_flight;
-    }
-    candidates_ = lists;
-    tests_ = lists + test_count;
+                        leaves_.bytes + PacketLists::size * sizeof(uint32_t)));
+    char* const memory = leaves_.place(packets_ + packets_in_flight * sizeof(Packet), packets_);
+    lists_.place(reinterpret_cast<uint32_t*>(stacks_.place(memory, packets_in_flight, stack_size)));
     for (uint32_t i = 0; i < packets_in_flight; ++i)
       stacks_.begin(*new (packets_ + i * sizeof(Packet)) Packet, i * stack_size);
   }
@@ -61,78 +66,80 @@ class Packets {
   /// Lists the groups whose rays have to go alone.
   HWY_INLINE void run() {
     for (uint32_t i = 0; i < packets_in_flight; ++i) begin_next(static_cast<uint32_t>(i * sizeof(Packet)));
-    while (next_node_count_ + next_leaf_count_ > 0) {
-      std::swap(nodes_now_, nodes_next_);
-      std::swap(leaves_now_, leaves_next_);
-      const uint32_t node_count = std::exchange(next_node_count_, 0),
-                     leaf_count = std::exchange(next_leaf_count_, 0);
-      for (uint32_t i = 0; i < node_count; ++i) visit_node(nodes_now_[i]);
-      uint32_t tests = 0, candidates = 0;
-      for (uint32_t i = 0; i < leaf_count; ++i) tests += visit_block(leaves_now_[i], tests_ + tests);
-      for (uint32_t i = 0; i < tests; ++i) candidates += test(tests_[i], candidates);
-      for (uint32_t i = 0; i < candidates; ++i) look_at(candidates_[i], distances_[i]);
-      for (uint32_t i = 0; i < leaf_count; ++i) leave_block(leaves_now_[i]);
+    while (lists_.is_any_left()) {
+      tested_count_ > 0 ? test_boxes() : go_on();
+      end_packets();
+      visit_leaves();
+      visit_nodes();
+      visit_nodes_of_few();
     }
     if (next_ < ray_count_) alone_.push_back(static_cast<uint32_t>(next_));
   }
 
  private:
-  static_assert(sizeof(Packet) % lane_count == 0 && batch_lanes % packet_size == 0);
-  static constexpr size_t test_count = packets_in_flight * lane_count;
+  static_assert(sizeof(Packet) % packet_size == 0 && batch_lanes % packet_size == 0);
+  using Kind = PacketLists::Kind;
+
+  struct VisitChoice {
+    uint32_t kind, cost;
+  };
+  /// For a child's two highest bits, the next one set at a stack's end, and the number of rays that meet its
+  /// box.
+  static constexpr auto visit_choices = [] {
+    // Where leaves are visited by all rays or by each: about where it costs the same.
+    constexpr size_t few = 2, many = 7;
+    std::array<std::array<VisitChoice, packet_size + 1>, 8> choices{};
+    for (size_t bits = 4; bits < 8; ++bits) choices[bits].fill({Kind::ended, 0});
+    for (size_t bits = 0; bits < 4; ++bits) {
+      const bool is_leaf = bits >= 2, is_spheres = bits == 3;
+      choices[bits][0] = {Kind::popped, 0};
+      for (size_t rays = 1; rays <= packet_size; ++rays) {
+        VisitChoice& choice = choices[bits][rays];
+        if (!is_leaf && rays <= few) choice = {Kind::node_of_few, StepCosts::node_of_few};
+        if (!is_leaf && rays > few) choice = {Kind::node_of_many, StepCosts::node};
+        if (is_leaf && (rays >= many || is_spheres)) choice = {Kind::leaf_of_many, StepCosts::leaf_together};
+        if (is_leaf && rays < many && !is_spheres)
+          choice = {Kind::leaf_of_few,
+                    StepCosts::leaf_apart + static_cast<uint32_t>(rays) * StepCosts::ray_apart};
+      }
+    }
+    return choices;
+  }();
 
   HWY_INLINE Packet& packet_at(uint32_t offset) const {
     return *reinterpret_cast<Packet*>(packets_ + offset);
   }
 
-  /// A packet's offset with a lane's number in its lowest bits.
-  struct Test {
-    uint32_t offset;
-    size_t lane;
-  };
-  HWY_INLINE static Test test_of(uint32_t word) {
-    constexpr uint32_t low = lane_count - 1;
-    return {word & ~low, word & low};
-  }
-
-  HWY_INLINE void enlist(uint32_t offset) {
-    const WideChild next = packet_at(offset).current;
-    const uint32_t is_leaf = next >> 31;
-    nodes_next_[next_node_count_] = offset;
-    next_node_count_ += 1 - is_leaf;
-    leaves_next_[next_leaf_count_] = offset;
-    next_leaf_count_ += is_leaf;
-  }
-
-  HWY_INLINE void go_on(uint32_t offset) {
-    const Packet& packet = packet_at(offset);
-    if (packet.current != sentinel && packet.budget >= 0) return enlist(offset);
-    save(packet);
-    const int32_t steps = GroupChoice::budget - packet.budget;
-    if (packet.current == sentinel) {
-      choice_.ended(steps);
-    } else {
-      choice_.gave_up(steps);
-      alone_.push_back(packet.first);
-      RAYSWEEP_COUNT(count_, Visited::packet_given_up);
-    }
-    begin_next(offset);
-  }
-
-  HWY_INLINE void begin_next(uint32_t offset) {
+  HWY_NOINLINE HWY_ATTR void begin_next(uint32_t offset) {
     Packet& packet = packet_at(offset);
     while (next_ + packet_size <= ray_count_) {
       const size_t first = next_;
       next_ += packet_size;
-      if (choice_.together() && loader_.load(packet, first) && (!shears<Method> || packet.set_shear())) {
-        RAYSWEEP_COUNT(count_, Visited::packet_begun);
-        packet.budget = GroupChoice::budget;
-        packet.has_news = 0;
-        Stacks::restart(packet);
-        return enlist(offset);
+      if (choice_.together()) {
+        const Loaded loaded = loader_.load(packet, first);
+        if (loaded == Loaded::misses_everything) {
+          RAYSWEEP_COUNT(count_, Visited::packet_missed);
+          continue;
+        }
+        if (loaded == Loaded::ready && (!shears<Method> || packet.set_shear()) && !choice_.explores())
+          return begin(offset, packet);
       }
       RAYSWEEP_COUNT(count_, Visited::packet_refused);
       alone_.push_back(static_cast<uint32_t>(first));
     }
+  }
+
+  /// At the root.
+  HWY_INLINE void begin(uint32_t offset, Packet& packet) {
+    RAYSWEEP_COUNT(count_, Visited::packet_begun);
+    packet.has_news = 0;
+    packet.cost = StepCosts::packet;
+    // The beam of rays from one point holds hardly a box that none of them meets.
+    packet.is_tested = 1 - (packet.has_one_origin & packet.beam.is_tight);
+    tested_count_ += packet.is_tested;
+    packet.child = 0;
+    Stacks::restart(packet);
+    lists_.add(Kind::node_of_many, offset);
   }
 
   HWY_INLINE void save(const Packet& packet) {
@@ -148,125 +155,146 @@ class Packets {
     }
   }
 
-  HWY_INLINE void visit_node(uint32_t offset) {
-    Packet& packet = packet_at(offset);
-    const char* const node = reinterpret_cast<const char*>(nodes_ + packet.current);
-    const auto meeting = packet.beam.meet(
-        [node](size_t at) HWY_ATTR { return hn::Load(Floats(), reinterpret_cast<const float*>(node + at)); });
-    const WordLanes children =
-        hn::Load(Words(), reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
-    const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + packet.beam.order);
-    stacks_.push_in_order(packet, children, meeting.enter, meeting.met, far_to_near);
-    packet.budget--;
-    RAYSWEEP_COUNT(count_, Visited::packet_node);
-    go_on(offset);
+  // Each a function of its own: see Stream.
+
+  HWY_NOINLINE HWY_ATTR void end_packets() {
+    const auto ended = lists_.take(Kind::ended);
+    for (uint32_t i = 0; i < ended.count; ++i) {
+      const Packet& packet = packet_at(ended.packets[i]);
+      save(packet);
+      choice_.went_together(packet.cost);
+      tested_count_ -= packet.is_tested;
+      begin_next(ended.packets[i]);
+    }
   }
 
-  /// Lists the triangles of a leaf's block that some ray may meet; how many.
-  HWY_INLINE uint32_t visit_block(uint32_t offset, uint32_t* list) {
-    const Floats d;
-    const Words dw;
-    Packet& packet = packet_at(offset);
-    packet.block = child_index(packet.current);
-    const bool is_spheres = (packet.current & sphere_bit) != 0;
-    const Block& block = blocks_[packet.block];
-    packet.more = block.more;
-    RAYSWEEP_COUNT(count_, Visited::packet_block);
-    stacks_.leave_block(packet, block.more);
-    if (is_spheres) {
-      RAYSWEEP_COUNT(count_, Visited::packet_test, block.count);
-      for (uint32_t lane = 0; lane < block.count; ++lane)
-        meet_sphere<any>(primitives_, packet, block.id[lane]);
-      packet.budget -= static_cast<int32_t>(block.count);
-      return 0;
+  /// Sorts packets by what they have popped.
+  HWY_NOINLINE HWY_ATTR void go_on() {
+    static constexpr VisitChoice ends{Kind::ended, 0}, is_node{Kind::node_of_many, StepCosts::node},
+        is_leaf{Kind::leaf_of_many, StepCosts::leaf_together};
+    static constexpr VisitChoice next[4] = {is_node, is_leaf, ends, ends};
+    const auto popped = lists_.take(Kind::popped);
+    uint32_t* const kinds = lists_.kinds();
+    const Node* const nodes = nodes_;
+    for (uint32_t i = 0; i < popped.count; ++i) {
+      Packet& packet = packet_at(popped.packets[i]);
+      const ChildPlace at(packet.current);
+      packet.child = nodes[at.node].children[at.lane];
+      packet.block = child_index(packet.child);
+      const VisitChoice& choice = next[2 * is_at_end(packet) + (packet.child >> 31)];
+      packet.cost += choice.cost;
+      kinds[i] = choice.kind;
     }
-    packet.rows.set_boxes(boxes_of(d, corners_of(block)));
-    const auto& axes = axes_of<Method>(packet.longest_axis);
-    const auto prepared = prepare(Method{}, corners_of(block, axes));
-    if (packet.has_one_origin) {
-      const auto& from = packet.origin;
-      const auto origin = broadcast(d, from[axes[0]][0], from[axes[1]][0], from[axes[2]][0]);
-      packet.rows.set_vectors(seen_from(Method{}, origin, prepared));
+    lists_.sort(popped, {Kind::ended, Kind::node_of_many, Kind::leaf_of_many});
+  }
+
+  /// The same, by how many of their rays meet its box.
+  HWY_NOINLINE HWY_ATTR void test_boxes() {
+    const auto popped = lists_.take(Kind::popped);
+    uint32_t* const kinds = lists_.kinds();
+    const Node* const nodes = nodes_;
+    for (uint32_t i = 0; i < popped.count; ++i) {
+      Packet& packet = packet_at(popped.packets[i]);
+      const ChildPlace at(packet.current);
+      const auto& bounds = nodes[at.node].bounds;
+      packet.active = rays_that_meet(
+          packet, [&](size_t axis, size_t side) HWY_ATTR { return bounds[axis][side][at.lane]; });
+      packet.child = nodes[at.node].children[at.lane];
+      packet.block = child_index(packet.child);
+      const VisitChoice& choice =
+          visit_choices[4 * is_at_end(packet) + (packet.child >> 30)][hwy::PopCount(packet.active)];
+      packet.cost += choice.cost;
+      kinds[i] = choice.kind;
+      RAYSWEEP_COUNT(count_, Visited::packet_box, 1 - is_at_end(packet));
+    }
+    lists_.sort(popped, {Kind::popped, Kind::ended, Kind::node_of_many, Kind::node_of_few, Kind::leaf_of_many,
+                         Kind::leaf_of_few});
+    const uint32_t* const missed = lists_.packets(Kind::popped);
+    for (uint32_t i = 0; i < lists_.count(Kind::popped); ++i) stacks_.pop(packet_at(missed[i]));
+  }
+
+  HWY_INLINE static uint32_t is_at_end(const Packet& packet) { return packet.top == packet.bottom ? 1 : 0; }
+
+  HWY_NOINLINE HWY_ATTR void visit_leaves() {
+    const auto together = lists_.take(Kind::leaf_of_many);
+    if (together.count > 0) {
+      leaves_.meet_together(together.packets, together.count);
+      for (uint32_t i = 0; i < together.count; ++i) leave_block(together.packets[i], Kind::leaf_of_many);
+    }
+    const auto apart = lists_.take(Kind::leaf_of_few);
+    if (apart.count > 0) {
+      leaves_.meet_apart(apart.packets, apart.count);
+      for (uint32_t i = 0; i < apart.count; ++i) leave_block(apart.packets[i], Kind::leaf_of_few);
+    }
+  }
+
+  HWY_INLINE void leave_block(uint32_t offset, Kind kind) {
+    Packet& packet = packet_at(offset);
+    if (std::exchange(packet.has_news, 0) != 0 && look_at_news(packet)) {
+      lists_.add(Kind::ended, offset);
+    } else if (blocks_[packet.block].more != 0) {
+      ++packet.block;
+      packet.cost += StepCosts::leaf_together;
+      lists_.add(kind, offset);
     } else {
-      packet.rows.set_vectors(prepared);
+      stacks_.pop(packet);
+      lists_.add(Kind::popped, offset);
     }
-    const auto meeting = packet.beam.meet(
-        [&packet](size_t at) HWY_ATTR { return hn::Load(Floats(), packet.rows.box_row(at / row_bytes)); });
-    const LaneMask is_there = hn::RebindMask(d, hn::Lt(hn::Iota(dw, 0), hn::Set(dw, block.count)));
-    const Compaction kept(hn::And(meeting.met, is_there));
-    hn::StoreU(kept(hn::Or(hn::Iota(dw, 0), hn::Set(dw, offset))), dw, list);
-    packet.budget -= static_cast<int32_t>(1 + kept.count());
-    return kept.count();
   }
 
-  /// Where one triangle meets all rays; whether it does.
-  HWY_INLINE uint32_t test(uint32_t word, uint32_t candidate) {
-    const auto [offset, lane] = test_of(word);
-    const Packet& packet = packet_at(offset);
-    RAYSWEEP_COUNT(count_, Visited::packet_test);
-    candidates_[candidate] = word;
-    // All packets of a batch take the same way, or nearly all.
-    const bool is_met = packet.has_one_origin ? solve_all<Method, true>(packet, lane, distances_[candidate])
-                                              : solve_all<Method, false>(packet, lane, distances_[candidate]);
-    return is_met ? 1 : 0;
-  }
-
-  HWY_INLINE void look_at(uint32_t word, const float* distances) {
+  /// Whether all rays are done.
+  HWY_INLINE bool look_at_news(Packet& packet) {
     const RayTag d;
-    const auto [offset, lane] = test_of(word);
-    Packet& packet = packet_at(offset);
-    const Block& block = blocks_[packet.block];
-    const Corners<RayTag> corners{spread(block.corners, lane), spread(block.corners + 3, lane),
-                                  spread(block.corners + 6, lane)};
-    const Lanes3<RayTag> normal = spread(block.normal, lane);
-    RAYSWEEP_COUNT(count_, Visited::packet_look);
-    const LaneBoxes<RayTag> boxes = packet.rows.box(lane);
-    for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const RayLanes t = hn::Load(d, distances + at);
-      const AcceptedHits<RayTag> hits =
-          accept(Method{}, d, load_rays(packet.origin, at), load_rays(packet.direction, at),
-                 load_rays(packet.reciprocal, at), boxes, corners, normal, t);
-      const RayMask is_candidate = hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity()));
-      keep<any>(packet, at, hits.t, hn::And(is_candidate, hits.accepted), block.id[lane]);
-    }
-    if constexpr (Method::is_watertight) {
-      for (size_t i = 0; i < packet_size; ++i)
-        if (std::isnan(distances[i])) decide(packet, i, block.id[lane]);
-    }
-  }
-
-  /// Whether ray `i` meets a triangle of which lanes cannot tell.
-  HWY_INLINE void decide(Packet& packet, size_t i, uint32_t id) {
-    const auto of_ray = [i](const PacketRows& rows) { return Vec3f(rows[0][i], rows[1][i], rows[2][i]); };
-    const Ray<float> ray{of_ray(packet.origin), of_ray(packet.direction)};
-    const auto t =
-        primitives_.accept_triangle(id, std::numeric_limits<float>::quiet_NaN(), ray,
-                                    SlabRay<float>(ray, of_ray(packet.reciprocal)), Hit<float>::start());
-    if (!t || !(any ? *t < packet.t[i] : Hit<float>{*t, id}.before({packet.t[i], packet.id[i]}))) return;
-    packet.t[i] = any ? -*t : *t;
-    packet.id[i] = id;
-    packet.has_news = 1;
-  }
-
-  HWY_INLINE void leave_block(uint32_t offset) {
-    Packet& packet = packet_at(offset);
-    if (std::exchange(packet.has_news, 0) != 0) {
-      const RayTag d;
-      RayLanes most = hn::Load(d, packet.t);
-      for (size_t at = rays_at_once; at < packet_size; at += rays_at_once)
-        most = hn::Max(most, hn::Load(d, packet.t + at));
-      const float limit = hn::GetLane(hn::MaxOfLanes(d, most)) * widening;
-      if constexpr (any) {
-        if (limit < 0) packet.current = sentinel;
-      } else if (limit < packet.beam.limit) {
+    RayLanes most = hn::Load(d, packet.t);
+    for (size_t at = rays_at_once; at < packet_size; at += rays_at_once)
+      most = hn::Max(most, hn::Load(d, packet.t + at));
+    const float limit = hn::GetLane(hn::MaxOfLanes(d, most)) * widening;
+    if constexpr (any) {
+      return limit < 0;
+    } else {
+      if (limit < packet.beam.limit) {
         packet.beam.limit = limit;
-        stacks_.shorten(packet, limit, packet.more);
+        stacks_.shorten(packet, limit);
       }
+      return false;
     }
-    go_on(offset);
   }
 
-  const Primitives<float, Method>& primitives_;
+  HWY_NOINLINE HWY_ATTR void visit_nodes() {
+    const auto visits = lists_.take(Kind::node_of_many);
+    for (uint32_t i = 0; i < visits.count; ++i) {
+      Packet& packet = packet_at(visits.packets[i]);
+      const Node& node = nodes_[packet.child];
+      const auto* const bytes = reinterpret_cast<const char*>(&node);
+      const Meeting meeting = packet.beam.meet([bytes](size_t at) HWY_ATTR {
+        return hn::Load(Floats(), reinterpret_cast<const float*>(bytes + at));
+      });
+      push(packet, node, meeting, *reinterpret_cast<const uint32_t*>(bytes + packet.beam.order));
+      RAYSWEEP_COUNT(count_, Visited::packet_node);
+    }
+    lists_.add(Kind::popped, visits);
+  }
+
+  HWY_NOINLINE HWY_ATTR void visit_nodes_of_few() {
+    const auto visits = lists_.take(Kind::node_of_few);
+    for (uint32_t i = 0; i < visits.count; ++i) {
+      Packet& packet = packet_at(visits.packets[i]);
+      const Node& node = nodes_[packet.child];
+      const size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero32(packet.active),
+                   last = 31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(packet.active);
+      const Meeting one = meet_of_ray(packet, first, node), other = meet_of_ray(packet, last, node);
+      const Meeting either{hn::Min(one.enter, other.enter), hn::Or(one.met, other.met)};
+      push(packet, node, either, node.far_to_near[octant_of(packet, first)]);
+      RAYSWEEP_COUNT(count_, Visited::packet_node_of_few);
+    }
+    lists_.add(Kind::popped, visits);
+  }
+
+  HWY_INLINE void push(Packet& packet, const Node& node, const Meeting& meeting, uint32_t far_to_near) const {
+    const WordLanes places = ChildPlace::of_all(packet.child, hn::Load(Words(), node.children));
+    stacks_.push_in_order(packet, places, meeting.enter, meeting.met, far_to_near);
+  }
+
   const Node* const nodes_;
   const Block* const blocks_;
   HitBatch& hits_;
@@ -275,12 +303,12 @@ class Packets {
   [[no_unique_address]] const VisitCounter count_;
   const PacketLoader<any> loader_;
   GroupChoice& choice_;
+  PacketLeaves<Method, any> leaves_;
   char* packets_;
   Stacks stacks_;
-  float (*distances_)[packet_size];
-  uint32_t *nodes_next_, *nodes_now_, *leaves_next_, *leaves_now_, *candidates_, *tests_;
-  uint32_t next_node_count_ = 0, next_leaf_count_ = 0;
-  size_t next_ = 0;  // the first ray not looked at
+  PacketLists lists_;
+  size_t next_ = 0;            // the first ray not looked at
+  uint32_t tested_count_ = 0;  // packets in flight that want boxes tested: then those of all are
 };
 
 }  // namespace HWY_NAMESPACE

@@ -81,13 +81,24 @@ class Stacks {
     at.top = top;
   }
 
-  /// Forgets what begins behind `limit`, just after a block was left.
-  HWY_INLINE void shorten(StackPlace& at, float limit_now, uint32_t more) const {
+  /// Forgets what begins behind `limit`.
+  HWY_INLINE void shorten(StackPlace& at, float limit) const { shorten(at, at.top, limit); }
+
+  /// The same just after a block was left, which went on to its leaf's next one if there was `more`.
+  HWY_INLINE void shorten_after_block(StackPlace& at, float limit, uint32_t more) const {
+    // What was popped for `current` is still there; only a leaf that goes on was not.
+    shorten(at, at.top + (1 - more), limit);
+    if (more == 0) pop(at);
+  }
+
+  HWY_INLINE void pop(StackPlace& at) const { pop(at, at.top); }
+
+ private:
+  /// Keeps what begins before `limit_now` of the entries before `end`.
+  HWY_INLINE void shorten(StackPlace& at, uint32_t end, float limit_now) const {
     const Floats d;
     const Words dw;
     const FloatLanes limit = hn::Set(d, limit_now);
-    // What was popped for `current` is still there; only a leaf that goes on was not.
-    const uint32_t end = at.top + (1 - more);
     uint32_t kept = at.bottom;
     for (uint32_t from = at.bottom; from < end; from += lane_count) {
       const FloatLanes enters = hn::LoadU(d, enters_ + from);
@@ -99,10 +110,8 @@ class Stacks {
       kept += keep.count();
     }
     at.top = kept;
-    if (more == 0) pop(at, kept);
   }
 
- private:
   HWY_INLINE void pop(StackPlace& at, uint32_t top) const {
     --top;
     at.current = children_[top];

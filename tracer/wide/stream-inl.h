@@ -12,6 +12,7 @@
 
 #include <utility>
 
+#include "tracer/wide/nearest-inl.h"
 #include "tracer/wide/ray_lists-inl.h"
 #include "tracer/wide/ray_setup-inl.h"
 
@@ -55,7 +56,7 @@ class Stream {
       visit_nodes();
       visit_leaves();
       look_at_candidates();
-      cycles_ += lists_.ended.count * GroupChoice::cycles_of_ray;
+      cycles_ += lists_.ended.count * StepCosts::ray;
       for (uint32_t i = 0; i < lists_.ended.count; ++i) end(lists_.ended.slots[i]);
     }
     scratch_.choice(any).went_alone(cycles_, chooser_.ray_count());
@@ -78,7 +79,7 @@ class Stream {
 
   HWY_NOINLINE HWY_ATTR void visit_nodes() {
     const uint32_t count = lists_.nodes.count;
-    cycles_ += count * GroupChoice::cycles_of_node;
+    cycles_ += count * StepCosts::ray_node;
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Floats d;
     const Words dw;
@@ -123,7 +124,7 @@ class Stream {
   HWY_NOINLINE HWY_ATTR void visit_leaves() {
     const Floats d;
     const uint32_t count = std::exchange(lists_.leaves.count, 0);
-    cycles_ += count * GroupChoice::cycles_of_block;
+    cycles_ += count * StepCosts::ray_block;
     RAYSWEEP_COUNT(count_, Visited::ray_block, count);
     const Block* const blocks = blocks_;
     char* const slots = slots_;
@@ -166,7 +167,7 @@ class Stream {
     Slot& slot = slot_at(offset);
     const Block& block = blocks_[slot.block];
     const Hit<float> hit = block.id[0] < primitives_.first_triangle() ? nearest_sphere(slot, block)
-                                                                      : nearest_triangle(slot, block);
+                                                                      : nearest_of_block(slot, block);
     if (any ? hit.t < slot.t : hit.before({slot.t, slot.id})) {
       slot.t = hit.t;
       slot.id = hit.id;
@@ -174,62 +175,28 @@ class Stream {
         slot.current = sentinel;
       } else {
         slot.limit = slot.t * widening;
-        stacks_.shorten(slot, slot.limit, block.more);
+        stacks_.shorten_after_block(slot, slot.limit, block.more);
       }
     }
     return slot.current;
   }
 
   /// The first hit of the block's candidates.
-  HWY_INLINE Hit<float> nearest_triangle(const Slot& slot, const Block& block) const {
+  HWY_INLINE Hit<float> nearest_of_block(const Slot& slot, const Block& block) const {
     if (slot.is_flat != 0) return nearest_of_flat(slot, block);
-    const Floats d;
-    const Words dw;
-    const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity());
-    const auto spread = [](const float* v) HWY_ATTR { return broadcast(Floats(), v[0], v[1], v[2]); };
-    const Corners<Floats> corners = corners_of(block);
-    const FloatLanes t = hn::Load(d, slot.distances);
-    const AcceptedHits<Floats> hits =
-        accept(Method{}, d, spread(slot.origin), spread(slot.direction), spread(slot.reciprocal),
-               boxes_of(d, corners), corners, load_rows(d, block.normal[0], lane_count), t);
-    const LaneMask accepted = hn::And(hits.accepted, hn::Lt(t, infinity));
-    const FloatLanes held = hn::IfThenElse(accepted, hits.t, infinity);
-    const FloatLanes least = hn::MinOfLanes(d, held);
-    const LaneMask is_first = hn::And(accepted, hn::Eq(held, least));
-    const WordLanes ids =
-        hn::IfThenElse(hn::RebindMask(dw, is_first), hn::Load(dw, block.id), hn::Set(dw, no_hit_id));
-    Hit<float> nearest{hn::GetLane(least), hn::GetLane(hn::MinOfLanes(dw, ids))};
-    // Of lanes that are all infinite, portable vectors find the largest finite number.
-    if (nearest.id == no_hit_id) nearest = Hit<float>::none();
-    if constexpr (Method::is_watertight) return nearest_undecided(slot, block, nearest);
-    return nearest;
+    const auto of = [](const float* v) { return Vec3f(v[0], v[1], v[2]); };
+    return nearest_triangle(primitives_, block,
+                            RayNumbers{of(slot.origin), of(slot.direction), of(slot.reciprocal)},
+                            slot.distances);
   }
 
   /// The same of a flat ray.
   HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
     const FloatLanes infinity = hn::Set(Floats(), std::numeric_limits<float>::infinity());
     const LaneMask is_miss = hn::Eq(hn::Load(Floats(), slot.distances), infinity);
-    return nearest_one_by_one(slot, block, hn::Not(is_miss), Hit<float>::none());
-  }
-
-  /// `nearest`, or what comes before it among the triangles that lanes cannot decide.
-  HWY_INLINE Hit<float> nearest_undecided(const Slot& slot, const Block& block, Hit<float> nearest) const {
-    const LaneMask is_undecided = hn::IsNaN(hn::Load(Floats(), slot.distances));
-    if (hn::AllFalse(Floats(), is_undecided)) return nearest;
-    return nearest_one_by_one(slot, block, is_undecided, nearest);
-  }
-
-  /// `nearest`, or what comes before it among the block's triangles in `lanes`.
-  HWY_INLINE Hit<float> nearest_one_by_one(const Slot& slot, const Block& block, LaneMask lanes,
-                                           Hit<float> nearest) const {
     const RayOfSlot ray(slot);
-    for (uint32_t left = bits_of(lanes); left != 0; left &= left - 1) {
-      const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-      const auto t = primitives_.accept_triangle(block.id[lane], slot.distances[lane], ray.ray, ray.slab_ray,
-                                                 Hit<float>::start());
-      if (t && Hit<float>{*t, block.id[lane]}.before(nearest)) nearest = {*t, block.id[lane]};
-    }
-    return nearest;
+    return nearest_one_by_one(primitives_, block, ray.ray, ray.slab_ray, slot.distances, hn::Not(is_miss),
+                              Hit<float>::none());
   }
 
   HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {

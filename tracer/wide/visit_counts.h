@@ -13,22 +13,29 @@ namespace raysweep {
 /// packet, whose rays all meet it then. A look is what follows where a test has found a hit: whether it
 /// counts.
 enum class Visited {
-  ray_begun,  // alone: also of a group that gave up or never went together
+  ray_begun,  // alone
   ray_node,
   ray_block,
   ray_test,
   ray_look,  // of all that one ray hits in a block
   packet_begun,
-  packet_refused,   // a group whose rays go different ways, or are not regular, or where packets do not pay
-  packet_given_up,  // its budget was spent
+  packet_missed,   // a group whose rays all miss the box around everything
+  packet_refused,  // one whose rays are not regular, or where packets do not pay
+  packet_box,      // the box of a child compared with each ray
   packet_node,
+  packet_node_of_few,  // compared with two rays at most, instead of all
   packet_block,
   packet_test,
-  packet_look,  // of one triangle
+  packet_look,         // of one triangle
+  packet_block_apart,  // compared with some rays
+  packet_ray,          // one of them, which meets the whole block
+  packet_ray_look,     // of all that it hits there
 };
-inline constexpr std::array visit_names{"ray_begun",   "ray_node",     "ray_block",      "ray_test",
-                                        "ray_look",    "packet_begun", "packet_refused", "packet_given_up",
-                                        "packet_node", "packet_block", "packet_test",    "packet_look"};
+inline constexpr std::array visit_names{
+    "ray_begun",          "ray_node",       "ray_block",      "ray_test",    "ray_look",
+    "packet_begun",       "packet_missed",  "packet_refused", "packet_box",  "packet_node",
+    "packet_node_of_few", "packet_block",   "packet_test",    "packet_look", "packet_block_apart",
+    "packet_ray",         "packet_ray_look"};
 
 #ifdef RAYSWEEP_COUNT_VISITS
 

@@ -66,14 +66,14 @@ TEST(wide_core, rays_towards_distant_points_agree) {
   });
 }
 
-/// Neighbours which rise and fall on one axis, seen from in front, from inside and from behind; on two axes,
-/// they go alone.
-TEST(wide_core, packets_whose_directions_have_both_signs_on_an_axis_agree) {
+/// Neighbours which rise and fall on one axis, on two and on three, seen from in front, from inside and from
+/// behind.
+TEST(wide_core, packets_whose_directions_have_both_signs_on_axes_agree) {
   const Scene scene = mixed_scene();
   const ScalarCore<float, MollerTrumbore> oracle(scene, "sah", 4);
   for (size_t mixed = 0; mixed < 3; ++mixed) {
     for (const float spread : {0.01f, 0.3f}) {
-      std::vector<TestRay<float>> one_axis, two_axes;
+      std::vector<TestRay<float>> one_axis, two_axes, three_axes;
       for (int i = 0; i < 3200; ++i) {
         const auto part = [](int k, int of) { return static_cast<float>(k % of) / static_cast<float>(of); };
         std::array<float, 3> direction{0.2f, 0.25f, 0.3f},
@@ -86,13 +86,15 @@ TEST(wide_core, packets_whose_directions_have_both_signs_on_an_axis_agree) {
         const auto vector = [](const std::array<float, 3>& v) { return Vec3f(v[0], v[1], v[2]); };
         one_axis.push_back({{vector(origin), vector(direction)}, i % 2 == 0 ? 4.0f : 1e30f});
         direction[along] = part(i, 4) - 0.3f;
-        two_axes.push_back({{vector(origin), vector(direction)}, 4.0f});
+        two_axes.push_back({{vector(origin), vector(direction)}, i % 2 == 0 ? 4.0f : 1e30f});
+        direction[3 - mixed - along] = part(i, 5) - 0.5f;
+        three_axes.push_back({{vector(origin), vector(direction)}, 4.0f});
       }
       for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
-        EXPECT_EQ(count_differences(core, oracle, one_axis), 0u) << isa << ' ' << mixed;
-        EXPECT_LT(count_alone(core, one_axis), one_axis.size() / 2) << isa << ' ' << mixed;
-        EXPECT_EQ(count_differences(core, oracle, two_axes), 0u) << isa << ' ' << mixed;
-        EXPECT_EQ(count_alone(core, two_axes), two_axes.size()) << isa << ' ' << mixed;
+        for (const auto* rays : {&one_axis, &two_axes, &three_axes}) {
+          EXPECT_EQ(count_differences(core, oracle, *rays), 0u) << isa << ' ' << mixed;
+          EXPECT_LT(count_alone(core, *rays), rays->size() / 2) << isa << ' ' << mixed;
+        }
       });
     }
   }

@@ -62,12 +62,29 @@ TEST(visit_counts, of_a_packet_are_those_of_one_ray) {
         EXPECT_EQ(trace(core, rays_down_the_row(-0.5f), Grouping::packets).visits,
                   counts({{Visited::packet_begun, 1},
                           {Visited::packet_node, 1},
+                          {Visited::packet_box, 1},
                           {Visited::packet_block, 1},
                           {Visited::packet_test, 1},
                           {Visited::packet_look, 1}}))
             << isa;
         EXPECT_EQ(trace(core, rays_down_the_row(5), Grouping::packets).visits,
-                  counts({{Visited::packet_begun, 1}, {Visited::packet_node, 1}}))
+                  counts({{Visited::packet_missed, 1}}))
+            << isa;
+      });
+}
+
+/// Rays of one packet that part: one meets the triangle, the others pass by.
+TEST(visit_counts, of_a_packet_whose_rays_part_are_those_of_the_rays_that_meet_something) {
+  std::vector<TestRay<float>> rays = rays_down_the_row(-0.5f);
+  for (size_t i = 1; i < packet_size; ++i) rays[i].ray.origin.x += 3;
+  for_each_wide_core<MollerTrumbore>(
+      triangles_in_a_row(1), "sah", 4, [&](const auto& core, std::string_view isa) {
+        EXPECT_EQ(trace(core, rays, Grouping::packets).visits, counts({{Visited::packet_begun, 1},
+                                                                       {Visited::packet_node, 1},
+                                                                       {Visited::packet_box, 1},
+                                                                       {Visited::packet_block_apart, 1},
+                                                                       {Visited::packet_ray, 1},
+                                                                       {Visited::packet_ray_look, 1}}))
             << isa;
       });
 }
@@ -93,10 +110,12 @@ TEST(visit_counts, every_group_goes_together_or_alone) {
   for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
     const auto [visits, groups_alone] = trace(core, tests, Grouping::packets);
     EXPECT_GT(visits[Visited::packet_refused], 0u) << isa;
-    EXPECT_GT(visits[Visited::packet_given_up], 0u) << isa;
-    EXPECT_EQ(visits[Visited::packet_begun] + visits[Visited::packet_refused], tests.size() / packet_size)
+    EXPECT_GT(visits[Visited::packet_node_of_few], 0u) << isa;
+    EXPECT_EQ(
+        visits[Visited::packet_begun] + visits[Visited::packet_missed] + visits[Visited::packet_refused],
+        tests.size() / packet_size)
         << isa;
-    EXPECT_EQ(visits[Visited::packet_given_up] + visits[Visited::packet_refused] + 1, groups_alone)
+    EXPECT_EQ(visits[Visited::packet_refused] + 1, groups_alone)
         << isa << ": the last ray is a group of its own";
     EXPECT_LE(visits[Visited::ray_begun], groups_alone * packet_size) << isa;
   });
