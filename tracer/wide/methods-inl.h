@@ -119,12 +119,10 @@ class LongestAxis {
   HWY_INLINE hn::Vec<D> of(const Lanes3<D>& p) const {
     return hn::IfThenElse(is_x_, p.x, hn::IfThenElse(is_y_, p.y, p.z));
   }
-  /// Where it is the same of all directions: that; else 3.
-  [[nodiscard]] HWY_INLINE uint32_t common() const {
+  /// Which one it is.
+  [[nodiscard]] HWY_INLINE hn::Vec<D> number() const {
     const D d;
-    if (hn::AllTrue(d, is_x_)) return 0;
-    if (!hn::AllFalse(d, is_x_)) return 3;
-    return hn::AllTrue(d, is_y_) ? 1 : hn::AllFalse(d, is_y_) ? 2 : 3;
+    return hn::IfThenElse(is_x_, hn::Zero(d), hn::IfThenElse(is_y_, hn::Set(d, 1.0f), hn::Set(d, 2.0f)));
   }
 
  private:
@@ -143,6 +141,27 @@ HWY_INLINE const uint32_t (&axes_of(uint32_t longest))[3] {
   static constexpr uint32_t swapped[3][3] = {{2, 1, 0}, {0, 2, 1}, {0, 1, 2}};
   return swapped[shears<Method> ? longest : 2];
 }
+
+/// The same where each lane has a longest axis of its own.
+template <class D>
+class AxisSwap {
+ public:
+  HWY_INLINE explicit AxisSwap(hn::Vec<D> longest)
+      : is_x_(hn::Eq(longest, hn::Zero(D()))), is_y_(hn::Eq(longest, hn::Set(D(), 1.0f))) {}
+  HWY_INLINE Lanes3<D> operator()(const Lanes3<D>& p) const {
+    return {hn::IfThenElse(is_x_, p.z, p.x), hn::IfThenElse(is_y_, p.z, p.y),
+            hn::IfThenElse(is_x_, p.x, hn::IfThenElse(is_y_, p.y, p.z))};
+  }
+  template <size_t count>
+  HWY_INLINE TriangleVectors<D, count> operator()(const TriangleVectors<D, count>& of) const {
+    TriangleVectors<D, count> swapped;
+    for (size_t i = 0; i < count; ++i) swapped.v[i] = (*this)(of.v[i]);
+    return swapped;
+  }
+
+ private:
+  hn::Mask<D> is_x_, is_y_;
+};
 
 /// A, B, C.
 template <class D>

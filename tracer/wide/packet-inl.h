@@ -71,7 +71,9 @@ struct alignas(64) Packet : StackPlace {
   float slack[packet_size];
   float t[packet_size];  // nearest hits so far; any: negative where one is known
   uint32_t id[packet_size];
-  PacketRows shear;  // for methods that shear
+  // For methods that shear: how much, and the longest axes of directions.
+  PacketRows shear;
+  float axes[packet_size];
   Beam beam;
   uint32_t first;      // of its rays
   WideChild child;     // visited
@@ -79,24 +81,27 @@ struct alignas(64) Packet : StackPlace {
   uint32_t is_tested;  // whether that is to be asked
   uint32_t has_news;
   uint32_t has_one_origin;
-  uint32_t longest_axis;  // of all directions; for methods that shear
+  uint32_t has_one_axis;  // that is longest of all directions
+  uint32_t longest_axis;  // that, or the last: how triangles are turned for all rays
   uint32_t cost;          // so far, in cycles: see StepCosts
 
-  /// Whether all directions have the same longest axis, as methods want it that shear.
-  HWY_INLINE bool set_shear() {
+  /// For methods that shear.
+  HWY_INLINE void set_shear() {
     const RayTag d;
-    longest_axis = LongestAxis<RayTag>(load_rays(direction, 0)).common();
-    for (size_t at = rays_at_once; at < packet_size; at += rays_at_once)
-      if (LongestAxis<RayTag>(load_rays(direction, at)).common() != longest_axis) return false;
-    if (longest_axis == 3) return false;
-    const auto& axes = axes_of<WoopWatertight>(longest_axis);
+    RayMask differs = hn::FirstN(d, 0);
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const RayLanes along = hn::Div(hn::Set(d, 1.0f), hn::Load(d, direction[axes[2]] + at));
-      hn::Store(hn::Mul(hn::Load(d, direction[axes[0]] + at), along), d, shear[0] + at);
-      hn::Store(hn::Mul(hn::Load(d, direction[axes[1]] + at), along), d, shear[1] + at);
-      hn::Store(along, d, shear[2] + at);
+      const Lanes3<RayTag> along = load_rays(direction, at);
+      const RayLanes axis = LongestAxis<RayTag>(along).number();
+      hn::Store(axis, d, axes + at);
+      differs = hn::Or(differs, hn::Ne(axis, hn::Set(d, axes[0])));
+      const Lanes3<RayTag> swapped = AxisSwap<RayTag>(axis)(along);
+      const RayLanes inverse = hn::Div(hn::Set(d, 1.0f), swapped.z);
+      hn::Store(hn::Mul(swapped.x, inverse), d, shear[0] + at);
+      hn::Store(hn::Mul(swapped.y, inverse), d, shear[1] + at);
+      hn::Store(inverse, d, shear[2] + at);
     }
-    return true;
+    has_one_axis = hn::AllFalse(d, differs) ? 1 : 0;
+    longest_axis = has_one_axis != 0 ? static_cast<uint32_t>(axes[0]) : 2;
   }
 };
 
@@ -156,7 +161,7 @@ HWY_INLINE RayNumbers ray_of(const Packet& packet, size_t i) {
 }
 
 /// Where all rays meet one triangle of `rows`; whether any does. Infinity: not met.
-template <class Method, bool has_one_origin>
+template <class Method, bool has_one_origin, bool has_one_axis>
 HWY_INLINE bool solve_all(const Packet& packet, const BlockRows& rows, size_t lane, float* distances) {
   const RayTag d;
   using Prepared = decltype(prepare(Method{}, Corners<RayTag>{}));
@@ -175,6 +180,7 @@ HWY_INLINE bool solve_all(const Packet& packet, const BlockRows& rows, size_t la
                                       hn::Load(d, from[axes[2]] + at)},
                        vectors);
     }
+    if constexpr (!has_one_axis) seen = AxisSwap<RayTag>(hn::Load(d, packet.axes + at))(seen);
     const auto found =
         solve(Method{}, d, load_rays(shears<Method> ? packet.shear : packet.direction, at), seen);
     const RayMask hit = is_hit(d, found);

@@ -107,13 +107,21 @@ class PacketLeaves {
       float* const distances = distances_ + met * packet_size;
       RAYSWEEP_COUNT(count_, Visited::packet_test);
       candidates_[met] = test;
-      // All packets of a batch take the same way, or nearly all.
-      const bool is_met = packet.has_one_origin
-                              ? solve_all<Method, true>(packet, rows, test % lane_count, distances)
-                              : solve_all<Method, false>(packet, rows, test % lane_count, distances);
+      const bool is_met = solve_together(packet, rows, test % lane_count, distances);
       met += is_met ? 1 : 0;
     }
     return met;
+  }
+
+  HWY_INLINE static bool solve_together(const Packet& packet, const BlockRows& rows, size_t lane,
+                                        float* distances) {
+    // All packets of a batch take the same way, or nearly all.
+    if constexpr (shears<Method>)
+      if (packet.has_one_axis == 0)
+        return packet.has_one_origin != 0 ? solve_all<Method, true, false>(packet, rows, lane, distances)
+                                          : solve_all<Method, false, false>(packet, rows, lane, distances);
+    return packet.has_one_origin != 0 ? solve_all<Method, true, true>(packet, rows, lane, distances)
+                                      : solve_all<Method, false, true>(packet, rows, lane, distances);
   }
 
   HWY_INLINE void look_at(uint32_t offset, uint32_t test, const float* distances) {
@@ -179,17 +187,28 @@ class PacketLeaves {
   /// Where `rays_a_test` rays of a packet meet a block: lists those that do and their distances; how many.
   HWY_INLINE static uint32_t solve_apart(const Packet& packet, const Block& block, const uint32_t* rays,
                                          uint32_t* met, float* distances) {
+    static constexpr uint32_t in_order[3] = {0, 1, 2};
     const SpreadRays spread(rays);
     const SpreadRays::Tag d;
     const auto& axes = axes_of<Method>(packet.longest_axis);
-    static constexpr uint32_t in_order[3] = {0, 1, 2};
-    const auto seen = seen_from(Method{}, spread.of(packet.origin, axes),
-                                prepare(Method{}, SpreadRays::corners_of(block, axes)));
-    const auto found =
-        solve(Method{}, d, spread.of(shears<Method> ? packet.shear : packet.direction, in_order), seen);
-    const auto hit = is_hit(d, found);
-    const auto t = hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity()));
-    return spread.list(hit, t, met, distances);
+    const auto seen = [&]() HWY_ATTR {
+      return seen_from(Method{}, spread.of(packet.origin, axes),
+                       prepare(Method{}, SpreadRays::corners_of(block, axes)));
+    };
+    const auto list_hits = [&](const auto& found) HWY_ATTR {
+      const auto hit = is_hit(d, found);
+      const auto t = hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity()));
+      return spread.list(hit, t, met, distances);
+    };
+    if constexpr (shears<Method>) {
+      const auto shear = spread.of(packet.shear, in_order);
+      if (packet.has_one_axis == 0)
+        return list_hits(
+            solve(Method{}, d, shear, AxisSwap<SpreadRays::Tag>(spread.of(packet.axes))(seen())));
+      return list_hits(solve(Method{}, d, shear, seen()));
+    } else {
+      return list_hits(solve(Method{}, d, spread.of(packet.direction, in_order), seen()));
+    }
   }
 
   HWY_INLINE void look_at_ray(uint32_t word, const float* distances) {

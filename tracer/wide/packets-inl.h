@@ -121,8 +121,7 @@ class Packets {
           RAYSWEEP_COUNT(count_, Visited::packet_missed);
           continue;
         }
-        if (loaded == Loaded::ready && (!shears<Method> || packet.set_shear()) && !choice_.explores())
-          return begin(offset, packet);
+        if (loaded == Loaded::ready && !choice_.explores()) return begin(offset, packet);
       }
       RAYSWEEP_COUNT(count_, Visited::packet_refused);
       alone_.push_back(static_cast<uint32_t>(first));
@@ -132,6 +131,7 @@ class Packets {
   /// At the root.
   HWY_INLINE void begin(uint32_t offset, Packet& packet) {
     RAYSWEEP_COUNT(count_, Visited::packet_begun);
+    if constexpr (shears<Method>) packet.set_shear();
     packet.has_news = 0;
     packet.cost = StepCosts::packet;
     // The beam of rays from one point holds hardly a box that none of them meets.

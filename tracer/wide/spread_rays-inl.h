@@ -27,10 +27,10 @@ class SpreadRays {
 
   /// A lane of each row, for every triangle. Permutations look at the lowest bits alone.
   HWY_INLINE Lanes3<Tag> of(const PacketRows& rows, const uint32_t (&axes)[3]) const {
-    const auto spread = [this](const float* row) HWY_ATTR {
-      return hn::TableLookupLanes(hn::Load(Tag(), row), hn::Indices512<float>{numbers_.raw});
-    };
-    return {spread(rows[axes[0]]), spread(rows[axes[1]]), spread(rows[axes[2]])};
+    return {of(rows[axes[0]]), of(rows[axes[1]]), of(rows[axes[2]])};
+  }
+  HWY_INLINE hn::Vec<Tag> of(const float* row) const {
+    return hn::TableLookupLanes(hn::Load(Tag(), row), hn::Indices512<float>{numbers_.raw});
   }
 
   template <class Block>
@@ -74,6 +74,8 @@ class SpreadRays {
   HWY_INLINE Lanes3<Tag> of(const PacketRows& rows, const uint32_t (&axes)[3]) const {
     return broadcast(Tag(), rows[axes[0]][number_], rows[axes[1]][number_], rows[axes[2]][number_]);
   }
+
+  HWY_INLINE hn::Vec<Tag> of(const float* row) const { return hn::Set(Tag(), row[number_]); }
 
   template <class Block>
   HWY_INLINE static Corners<Tag> corners_of(const Block& block, const uint32_t (&axes)[3]) {
