@@ -13,11 +13,11 @@ inline constexpr size_t packet_size = 16;
 /// About what steps of kernels take, in cycles, as measured with AVX-512.
 struct StepCosts {
   // One ray that goes alone.
-  static constexpr uint32_t ray = 45, ray_node = 17, ray_block = 38;
+  static constexpr uint32_t ray = 45, ray_node = 17, ray_block = 38, ray_look = 60;
   // A packet.
-  static constexpr uint32_t packet = 150, box = 35, node = 35, node_of_few = 55;
+  static constexpr uint32_t packet = 170, box = 40, node = 40, node_of_few = 65;
   /// A leaf, of whose triangles a beam meets about three; or the same for one ray after the other.
-  static constexpr uint32_t leaf_together = 220, leaf_apart = 40, ray_apart = 40;
+  static constexpr uint32_t leaf_together = 240, leaf_apart = 45, ray_apart = 45;
 };
 
 /// Chooses for each group of `packet_size` rays of one kind by what packets took of late and what their rays
@@ -31,15 +31,20 @@ class GroupChoice {
   }
 
   /// Whether the next group is to go together. Where that has not paid, many go alone before it is tried
-  /// again.
+  /// again, twice as many each time that it still does not.
   [[nodiscard]] bool together() {
     if (gain_ >= 0) return true;
-    if (++alone_ == most_alone) gain_ = alone_ = 0;
+    if (++alone_ < pause_) return false;
+    gain_ = alone_ = 0;
+    pause_ = std::min(2 * pause_, most_alone);
     return false;
   }
 
   /// Tells what a packet took, in cycles.
-  void went_together(uint32_t cycles) { gain_ = std::min(gain_ + worth_ - int64_t{cycles}, most_gain); }
+  void went_together(uint32_t cycles) {
+    gain_ = std::min(gain_ + worth_ - int64_t{cycles}, most_gain);
+    if (gain_ > 0) pause_ = least_alone;
+  }
 
   /// Tells what `rays` took that went alone, of which the last ten thousands count.
   void went_alone(uint64_t cycles, size_t rays) {
@@ -54,13 +59,15 @@ class GroupChoice {
   }
 
  private:
-  static constexpr uint32_t trusted = 32, explored = 9, most_alone = 32;
-  static constexpr int64_t most_gain = 50'000;  // some ten packets
+  static constexpr uint32_t trusted = 32, explored = 9, least_alone = 32, most_alone = 128;
+  /// Of some hundred packets, so that one region where all rays take longer does not decide; what is trusted
+  /// at first is less.
+  static constexpr int64_t most_gain = 400'000, first_gain = 100'000;
 
   uint64_t cycles_ = 0, rays_ = 0;  // of rays that went alone
   int64_t worth_ = 5'000;           // what a packet saves; this until it is known
-  int64_t gain_ = most_gain;
-  uint32_t ready_ = 0, alone_ = 0;
+  int64_t gain_ = first_gain;
+  uint32_t ready_ = 0, alone_ = 0, pause_ = least_alone;
 };
 
 }  // namespace raysweep

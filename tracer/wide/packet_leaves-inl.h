@@ -44,13 +44,10 @@ class PacketLeaves {
     return reinterpret_cast<char*>(candidates_ + list_size);
   }
 
-  /// All rays of the packets at `offsets` meet the block that each visits.
-  HWY_NOINLINE HWY_ATTR void meet_together(const uint32_t* offsets, uint32_t count) {
-    uint32_t tests = 0;
-    for (uint32_t i = 0; i < count; ++i) tests += list_triangles(offsets[i], i, tests_ + tests);
-    const uint32_t candidates = test_together(offsets, tests);
-    for (uint32_t i = 0; i < candidates; ++i)
-      look_at(offsets[candidates_[i] / lane_count], candidates_[i], distances_ + i * packet_size);
+  /// All rays of the packets at `offsets` meet the block that each visits. `have_one_origin`: whether those
+  /// of each packet do.
+  HWY_INLINE void meet_together(const uint32_t* offsets, uint32_t count, bool have_one_origin) {
+    have_one_origin ? meet_together<true>(offsets, count) : meet_together<false>(offsets, count);
   }
 
   /// Those rays of the packets that meet the leaf's box do.
@@ -66,7 +63,18 @@ class PacketLeaves {
     return *reinterpret_cast<Packet*>(packets_ + offset);
   }
 
+  template <bool have_one_origin>
+  HWY_NOINLINE HWY_ATTR void meet_together(const uint32_t* offsets, uint32_t count) {
+    uint32_t tests = 0;
+    for (uint32_t i = 0; i < count; ++i)
+      tests += list_triangles<have_one_origin>(offsets[i], i, tests_ + tests);
+    const uint32_t candidates = test_together<have_one_origin>(offsets, tests);
+    for (uint32_t i = 0; i < candidates; ++i)
+      look_at(offsets[candidates_[i] / lane_count], candidates_[i], distances_ + i * packet_size);
+  }
+
   /// Lists the triangles of the block that some ray may meet, as lanes of rows number `visit`; how many.
+  template <bool has_one_origin>
   HWY_INLINE uint32_t list_triangles(uint32_t offset, uint32_t visit, uint32_t* list) {
     const Floats d;
     const Words dw;
@@ -83,7 +91,7 @@ class PacketLeaves {
     rows.set_boxes(boxes_of(d, corners_of(block)));
     const auto& axes = axes_of<Method>(packet.longest_axis);
     const auto prepared = prepare(Method{}, corners_of(block, axes));
-    if (packet.has_one_origin) {
+    if constexpr (has_one_origin) {
       const auto& from = packet.origin;
       const auto origin = broadcast(d, from[axes[0]][0], from[axes[1]][0], from[axes[2]][0]);
       rows.set_vectors(seen_from(Method{}, origin, prepared));
@@ -98,6 +106,7 @@ class PacketLeaves {
     return kept.count();
   }
 
+  template <bool have_one_origin>
   HWY_NOINLINE HWY_ATTR uint32_t test_together(const uint32_t* offsets, uint32_t count) {
     uint32_t met = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -105,23 +114,21 @@ class PacketLeaves {
       const Packet& packet = packet_at(offsets[test / lane_count]);
       const BlockRows& rows = rows_[test / lane_count];
       float* const distances = distances_ + met * packet_size;
+      const size_t lane = test % lane_count;
       RAYSWEEP_COUNT(count_, Visited::packet_test);
       candidates_[met] = test;
-      const bool is_met = solve_together(packet, rows, test % lane_count, distances);
+      const bool is_met = has_one_axis(packet)
+                              ? solve_all<Method, have_one_origin, true>(packet, rows, lane, distances)
+                              : solve_all<Method, have_one_origin, false>(packet, rows, lane, distances);
       met += is_met ? 1 : 0;
     }
     return met;
   }
 
-  HWY_INLINE static bool solve_together(const Packet& packet, const BlockRows& rows, size_t lane,
-                                        float* distances) {
-    // All packets of a batch take the same way, or nearly all.
-    if constexpr (shears<Method>)
-      if (packet.has_one_axis == 0)
-        return packet.has_one_origin != 0 ? solve_all<Method, true, false>(packet, rows, lane, distances)
-                                          : solve_all<Method, false, false>(packet, rows, lane, distances);
-    return packet.has_one_origin != 0 ? solve_all<Method, true, true>(packet, rows, lane, distances)
-                                      : solve_all<Method, false, true>(packet, rows, lane, distances);
+  /// For methods that swap axes: whether all rays swap the same.
+  HWY_INLINE static bool has_one_axis(const Packet& packet) {
+    if constexpr (shears<Method>) return packet.has_one_axis != 0;
+    return true;
   }
 
   HWY_INLINE void look_at(uint32_t offset, uint32_t test, const float* distances) {

@@ -15,6 +15,7 @@
 #include <array>
 #include <utility>
 
+#include "tracer/wide/fetch-inl.h"
 #include "tracer/wide/packet_leaves-inl.h"
 #include "tracer/wide/packet_lists-inl.h"
 #include "tracer/wide/packet_loader-inl.h"
@@ -46,6 +47,7 @@ class Packets {
   HWY_INLINE Packets(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
       : nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
+        fetches_(is_large(geometry)),
         hits_(hits),
         ray_count_(rays.size),
         alone_(scratch.groups),
@@ -92,15 +94,16 @@ class Packets {
     for (size_t bits = 4; bits < 8; ++bits) choices[bits].fill({Kind::ended, 0});
     for (size_t bits = 0; bits < 4; ++bits) {
       const bool is_leaf = bits >= 2, is_spheres = bits == 3;
-      choices[bits][0] = {Kind::popped, 0};
+      choices[bits][0] = {Kind::popped, StepCosts::box};
       for (size_t rays = 1; rays <= packet_size; ++rays) {
         VisitChoice& choice = choices[bits][rays];
-        if (!is_leaf && rays <= few) choice = {Kind::node_of_few, StepCosts::node_of_few};
-        if (!is_leaf && rays > few) choice = {Kind::node_of_many, StepCosts::node};
-        if (is_leaf && (rays >= many || is_spheres)) choice = {Kind::leaf_of_many, StepCosts::leaf_together};
+        if (!is_leaf && rays <= few) choice = {Kind::node_of_few, StepCosts::box + StepCosts::node_of_few};
+        if (!is_leaf && rays > few) choice = {Kind::node_of_many, StepCosts::box + StepCosts::node};
+        if (is_leaf && (rays >= many || is_spheres))
+          choice = {Kind::leaf_of_many, StepCosts::box + StepCosts::leaf_together};
         if (is_leaf && rays < many && !is_spheres)
-          choice = {Kind::leaf_of_few,
-                    StepCosts::leaf_apart + static_cast<uint32_t>(rays) * StepCosts::ray_apart};
+          choice = {Kind::leaf_of_few, StepCosts::box + StepCosts::leaf_apart +
+                                           static_cast<uint32_t>(rays) * StepCosts::ray_apart};
       }
     }
     return choices;
@@ -176,6 +179,7 @@ class Packets {
     const auto popped = lists_.take(Kind::popped);
     uint32_t* const kinds = lists_.kinds();
     const Node* const nodes = nodes_;
+    const Block* const blocks = blocks_;
     for (uint32_t i = 0; i < popped.count; ++i) {
       Packet& packet = packet_at(popped.packets[i]);
       const ChildPlace at(packet.current);
@@ -184,6 +188,7 @@ class Packets {
       const VisitChoice& choice = next[2 * is_at_end(packet) + (packet.child >> 31)];
       packet.cost += choice.cost;
       kinds[i] = choice.kind;
+      if (fetches_) fetch(nodes, blocks, packet.child);
     }
     lists_.sort(popped, {Kind::ended, Kind::node_of_many, Kind::leaf_of_many});
   }
@@ -193,6 +198,7 @@ class Packets {
     const auto popped = lists_.take(Kind::popped);
     uint32_t* const kinds = lists_.kinds();
     const Node* const nodes = nodes_;
+    const Block* const blocks = blocks_;
     for (uint32_t i = 0; i < popped.count; ++i) {
       Packet& packet = packet_at(popped.packets[i]);
       const ChildPlace at(packet.current);
@@ -205,6 +211,7 @@ class Packets {
           visit_choices[4 * is_at_end(packet) + (packet.child >> 30)][hwy::PopCount(packet.active)];
       packet.cost += choice.cost;
       kinds[i] = choice.kind;
+      if (fetches_) fetch(nodes, blocks, packet.child);
       RAYSWEEP_COUNT(count_, Visited::packet_box, 1 - is_at_end(packet));
     }
     lists_.sort(popped, {Kind::popped, Kind::ended, Kind::node_of_many, Kind::node_of_few, Kind::leaf_of_many,
@@ -218,7 +225,7 @@ class Packets {
   HWY_NOINLINE HWY_ATTR void visit_leaves() {
     const auto together = lists_.take(Kind::leaf_of_many);
     if (together.count > 0) {
-      leaves_.meet_together(together.packets, together.count);
+      leaves_.meet_together(together.packets, together.count, tested_count_ == 0);
       for (uint32_t i = 0; i < together.count; ++i) leave_block(together.packets[i], Kind::leaf_of_many);
     }
     const auto apart = lists_.take(Kind::leaf_of_few);
@@ -297,6 +304,7 @@ class Packets {
 
   const Node* const nodes_;
   const Block* const blocks_;
+  const bool fetches_;
   HitBatch& hits_;
   const size_t ray_count_;
   std::vector<uint32_t>& alone_;

@@ -157,6 +157,7 @@ class Stream {
 
   HWY_NOINLINE HWY_ATTR void look_at_candidates() {
     const uint32_t count = std::exchange(lists_.candidates.count, 0);
+    cycles_ += count * StepCosts::ray_look;
     for (uint32_t i = 0; i < count; ++i) lists_.wanted[i] = look_at(lists_.candidates.slots[i]);
     lists_.add(lists_.candidates.slots, count);
   }
