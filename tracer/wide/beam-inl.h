@@ -45,6 +45,11 @@ using AxisLanes = hn::Vec<Axes>;
 struct Ranges {
   AxisLanes least, most;
 
+  /// Of rows whose numbers are all the same.
+  HWY_INLINE static Ranges of_one(const PacketRows& rows) {
+    alignas(16) const float v[4] = {rows[0][0], rows[1][0], rows[2][0], 0};
+    return {hn::Load(Axes(), v), hn::Load(Axes(), v)};
+  }
   [[nodiscard]] HWY_INLINE Ranges negated() const { return {hn::Neg(most), hn::Neg(least)}; }
   [[nodiscard]] HWY_INLINE float extent() const { return largest(hn::Sub(most, least)); }
   [[nodiscard]] HWY_INLINE float size() const { return largest(hn::Max(hn::Abs(most), hn::Abs(least))); }
@@ -57,7 +62,7 @@ struct Ranges {
 
 class RangesOf {
  public:
-  HWY_INLINE void begin(const Lanes3<RayTag>& v, RayLanes more) {
+  HWY_INLINE RangesOf(const Lanes3<RayTag>& v, RayLanes more) {
     const RayLanes all[4] = {v.x, v.y, v.z, more};
     for (size_t i = 0; i < 4; ++i) {
       least_[i] = all[i];

@@ -105,26 +105,29 @@ struct alignas(64) Packet : StackPlace {
   }
 };
 
-/// The rays that meet a box, a bit each. `plane(axis, side)`: its lower or upper bound.
+/// The rays that meet a box before `t`, a bit each. `plane(axis, side)`: its lower or upper bound.
+template <class Plane>
+HWY_INLINE uint32_t rays_that_meet(const Lanes3<RayTag>& reciprocal, const Lanes3<RayTag>& offset,
+                                   RayLanes slack, RayLanes t, const Plane& plane) {
+  const RayTag d;
+  const auto meet = [&](size_t axis, size_t side, RayLanes slope, RayLanes from)
+                        HWY_ATTR { return hn::MulAdd(hn::Set(RayTag(), plane(axis, side)), slope, from); };
+  const RayLanes x0 = meet(0, 0, reciprocal.x, offset.x), x1 = meet(0, 1, reciprocal.x, offset.x),
+                 y0 = meet(1, 0, reciprocal.y, offset.y), y1 = meet(1, 1, reciprocal.y, offset.y),
+                 z0 = meet(2, 0, reciprocal.z, offset.z), z1 = meet(2, 1, reciprocal.z, offset.z);
+  const RayLanes enter =
+      hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(d)));
+  const RayLanes leave = hn::Min(hn::Max(x0, x1), hn::Min(hn::Max(y0, y1), hn::Max(z0, z1)));
+  return bits_of(hn::Le(enter, hn::MulAdd(hn::Min(leave, t), hn::Set(d, widening), slack)));
+}
 template <class Plane>
 HWY_INLINE uint32_t rays_that_meet(const Packet& packet, const Plane& plane) {
   const RayTag d;
   uint32_t bits = 0;
-  for (size_t at = 0; at < packet_size; at += rays_at_once) {
-    const auto meet = [&](size_t axis, size_t side) HWY_ATTR {
-      return hn::MulAdd(hn::Set(RayTag(), plane(axis, side)),
-                        hn::Load(RayTag(), packet.reciprocal[axis] + at),
-                        hn::Load(RayTag(), packet.offset[axis] + at));
-    };
-    const RayLanes x0 = meet(0, 0), x1 = meet(0, 1), y0 = meet(1, 0), y1 = meet(1, 1), z0 = meet(2, 0),
-                   z1 = meet(2, 1);
-    const RayLanes enter =
-        hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(d)));
-    const RayLanes leave = hn::Min(hn::Max(x0, x1), hn::Min(hn::Max(y0, y1), hn::Max(z0, z1)));
-    const RayLanes limit = hn::MulAdd(hn::Min(leave, hn::Load(d, packet.t + at)), hn::Set(d, widening),
-                                      hn::Load(d, packet.slack + at));
-    bits |= bits_of(hn::Le(enter, limit)) << at;
-  }
+  for (size_t at = 0; at < packet_size; at += rays_at_once)
+    bits |= rays_that_meet(load_rays(packet.reciprocal, at), load_rays(packet.offset, at),
+                           hn::Load(d, packet.slack + at), hn::Load(d, packet.t + at), plane)
+            << at;
   return bits;
 }
 

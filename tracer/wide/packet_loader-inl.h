@@ -33,13 +33,14 @@ class PacketLoader {
   /// Loads rays `first` and following into `packet`, if they are regular and some may meet something.
   HWY_INLINE Loaded load(Packet& packet, size_t first) const {
     if (!are_regular(first)) return Loaded::irregular;
-    load_hits(packet, first);
-    for (size_t at = 0; at < packet_size; at += rays_at_once) load_rays_at(packet, first, at);
-    const auto bound = [this](size_t axis, size_t side)
-                           HWY_ATTR { return bounds_.bounds[side][static_cast<int>(axis)]; };
-    if (rays_that_meet(packet, bound) == 0) return Loaded::misses_everything;
+    Rays rays[packet_size / rays_at_once];
+    uint32_t meeting = 0;
+    for (size_t at = 0; at < packet_size; at += rays_at_once)
+      meeting |= load_at(rays[at / rays_at_once], packet, first + at, at);
+    if (meeting == 0) return Loaded::misses_everything;
+    for (size_t at = 0; at < packet_size; at += rays_at_once) store(rays[at / rays_at_once], packet, at);
     packet.first = static_cast<uint32_t>(first);
-    aim(packet, first);
+    aim(packet, rays, first);
     return Loaded::ready;
   }
 
@@ -63,70 +64,80 @@ class PacketLoader {
     return hn::AllTrue(d, is_regular);
   }
 
-  HWY_INLINE void load_hits(Packet& packet, size_t first) const {
+  struct Rays {
+    Lanes3<RayTag> origin, direction, reciprocal, offset;
+    RayLanes slack, t;
+  };
+
+  /// Whether any meets the box around everything. Of the packet only hits are set: those at hand.
+  HWY_INLINE uint32_t load_at(Rays& rays, Packet& packet, size_t first, size_t at) const {
     const RayTag d;
     const RayWordTag dw;
-    for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const auto id = hn::Load(dw, hits_.id.data() + first + at);
-      RayLanes t = hn::Load(d, hits_.t.data() + first + at);
-      if constexpr (any)
-        t = hn::IfThenElse(hn::RebindMask(d, hn::Eq(id, hn::Set(dw, no_hit_id))), t, hn::Neg(t));
-      hn::Store(t, d, packet.t + at);
-      hn::Store(id, dw, packet.id + at);
-    }
-  }
-
-  HWY_INLINE void load_rays_at(Packet& packet, size_t first, size_t at) const {
-    const RayTag d;
     const RayLanes one = hn::Set(d, 1.0f);
-    const size_t ray = first + at;
-    const Lanes3<RayTag> origin = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, ray),
-                         direction = load(rays_.direction_x, rays_.direction_y, rays_.direction_z, ray),
-                         reciprocal{hn::Div(one, direction.x), hn::Div(one, direction.y),
-                                    hn::Div(one, direction.z)},
-                         offset{hn::Neg(hn::Mul(origin.x, reciprocal.x)),
-                                hn::Neg(hn::Mul(origin.y, reciprocal.y)),
-                                hn::Neg(hn::Mul(origin.z, reciprocal.z))};
-    store(origin, packet.origin, at);
-    store(direction, packet.direction, at);
-    store(reciprocal, packet.reciprocal, at);
-    store(offset, packet.offset, at);
+    rays.origin = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
+    rays.direction = load(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
+    const auto& [from, along, reciprocal, offset, slack, t] = rays;
+    rays.reciprocal = {hn::Div(one, along.x), hn::Div(one, along.y), hn::Div(one, along.z)};
+    rays.offset = {hn::Neg(hn::Mul(from.x, reciprocal.x)), hn::Neg(hn::Mul(from.y, reciprocal.y)),
+                   hn::Neg(hn::Mul(from.z, reciprocal.z))};
     const RayLanes worst = hn::Max(hn::Max(hn::Abs(offset.x), hn::Abs(offset.y)), hn::Abs(offset.z));
-    hn::Store(hn::MulAdd(worst, hn::Set(d, 3 * offset_error), hn::Set(d, 3 * smallest)), d,
-              packet.slack + at);
+    rays.slack = hn::MulAdd(worst, hn::Set(d, 3 * offset_error), hn::Set(d, 3 * smallest));
+    rays.t = hn::Load(d, hits_.t.data() + first);
+    const auto id = hn::Load(dw, hits_.id.data() + first);
+    if constexpr (any)
+      rays.t = hn::IfThenElse(hn::RebindMask(d, hn::Eq(id, hn::Set(dw, no_hit_id))), t, hn::Neg(t));
+    hn::Store(id, dw, packet.id + at);
+    const auto bound = [this](size_t axis, size_t side)
+                           HWY_ATTR { return bounds_.bounds[side][static_cast<int>(axis)]; };
+    return rays_that_meet(reciprocal, offset, slack, t, bound);
   }
 
-  HWY_INLINE void aim(Packet& packet, size_t first) const {
+  HWY_INLINE static void store(const Rays& rays, Packet& packet, size_t at) {
     const RayTag d;
-    const RayLanes zero = hn::Zero(d);
-    RangesOf origins, directions, ends;
-    for (size_t at = 0; at < packet_size; at += rays_at_once) {
-      const Lanes3<RayTag> origin = load_rays(packet.origin, at), direction = load_rays(packet.direction, at);
-      const RayLanes t = hn::Load(d, packet.t + at);
-      if (at == 0) {
-        origins.begin(origin, zero);
-        directions.begin(direction, t);
-      } else {
-        origins.include(origin, zero);
-        directions.include(direction, t);
-      }
-      if constexpr (any) {
-        const Lanes3<RayTag> end = end_of(origin, direction, first + at);
-        at == 0 ? ends.begin(end, zero) : ends.include(end, zero);
-      }
+    store(rays.origin, packet.origin, at);
+    store(rays.direction, packet.direction, at);
+    store(rays.reciprocal, packet.reciprocal, at);
+    store(rays.offset, packet.offset, at);
+    hn::Store(rays.slack, d, packet.slack + at);
+    hn::Store(rays.t, d, packet.t + at);
+  }
+
+  template <size_t count>
+  HWY_INLINE void aim(Packet& packet, const Rays (&rays)[count], size_t first) const {
+    const RayLanes zero = hn::Zero(RayTag());
+    RangesOf origins(rays[0].origin, zero), directions(rays[0].direction, rays[0].t),
+        ends(end_of(rays[0], first), zero);
+    for (size_t i = 1; i < count; ++i) {
+      origins.include(rays[i].origin, zero);
+      directions.include(rays[i].direction, rays[i].t);
+      if constexpr (any) ends.include(end_of(rays[i], first + i * rays_at_once), zero);
     }
-    const Ranges from = origins.get(), along = directions.get();
-    packet.has_one_origin = !any && from.extent() == 0 ? 1 : 0;
+    packet.has_one_origin = !any && are_equal(rays) ? 1 : 0;
+    const Ranges from = packet.has_one_origin != 0 ? Ranges::of_one(packet.origin) : origins.get(),
+                 along = directions.get();
     packet.beam.limit = hn::ExtractLane(along.most, 3) * widening;
     packet.beam.order = order_of(along);
     if (!any || !aim_back(packet.beam, from, ends, along)) packet.beam.aim(from, along);
   }
 
-  [[nodiscard]] HWY_INLINE Lanes3<RayTag> end_of(const Lanes3<RayTag>& origin,
-                                                 const Lanes3<RayTag>& direction, size_t ray) const {
-    const RayLanes t = hn::Load(RayTag(), rays_.t_max.data() + ray);
-    return {hn::Add(origin.x, hn::Mul(direction.x, t)), hn::Add(origin.y, hn::Mul(direction.y, t)),
-            hn::Add(origin.z, hn::Mul(direction.z, t))};
+  /// Whether all begin at one place.
+  template <size_t count>
+  HWY_INLINE static bool are_equal(const Rays (&rays)[count]) {
+    const RayTag d;
+    const auto first = [&](RayLanes v) HWY_ATTR { return hn::Set(RayTag(), hn::GetLane(v)); };
+    const Lanes3<RayTag> place{first(rays[0].origin.x), first(rays[0].origin.y), first(rays[0].origin.z)};
+    RayMask same = hn::Eq(place.x, place.x);
+    for (const Rays& of : rays)
+      same = hn::And(same, hn::And(hn::And(hn::Eq(of.origin.x, place.x), hn::Eq(of.origin.y, place.y)),
+                                   hn::Eq(of.origin.z, place.z)));
+    return hn::AllTrue(d, same);
+  }
+
+  [[nodiscard]] HWY_INLINE Lanes3<RayTag> end_of(const Rays& rays, size_t first) const {
+    const RayLanes t = hn::Load(RayTag(), rays_.t_max.data() + first);
+    return {hn::Add(rays.origin.x, hn::Mul(rays.direction.x, t)),
+            hn::Add(rays.origin.y, hn::Mul(rays.direction.y, t)),
+            hn::Add(rays.origin.z, hn::Mul(rays.direction.z, t))};
   }
 
   /// Aims from the rays' ends, if those take less room; whether they do. Ends beyond what origins may be, or
