@@ -192,7 +192,9 @@ class Collapser {
       node_count += parts[i].tree.nodes.size() - 1;
       block_count += parts[i].tree.block_goes_on.size() - 1;
     }
-    if (block_count >= sphere_bit) throw std::length_error("a mesh of more than a billion leaves");
+    // Packets number children of nodes below `leaf_bit`.
+    if (block_count >= sphere_bit || node_count >= leaf_bit / width)
+      throw std::length_error("a mesh of more than a billion leaves");
     tree.nodes.resize(node_count);
     tree.block_items.resize(block_count * width);
     tree.block_goes_on.resize(block_count);

@@ -12,30 +12,17 @@
 #define RAYSWEEP_WIDE_PACKETS_INL_H_
 #endif
 
-#include <array>
 #include <utility>
 
 #include "tracer/wide/fetch-inl.h"
 #include "tracer/wide/packet_leaves-inl.h"
 #include "tracer/wide/packet_lists-inl.h"
 #include "tracer/wide/packet_loader-inl.h"
+#include "tracer/wide/visit_choice-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
-
-/// What a packet goes on to: a child of a node, by the node's index times `lane_count` plus the child's
-/// number, with `leaf_bit` set where that is a leaf.
-struct ChildPlace {
-  HWY_INLINE explicit ChildPlace(uint32_t place)
-      : node((place & ~leaf_bit) / lane_count), lane(place % lane_count) {}
-  /// Those of all children.
-  HWY_INLINE static WordLanes of_all(uint32_t node, WordLanes children) {
-    return hn::Or(hn::And(children, hn::Set(Words(), leaf_bit)), count_from(node * lane_count));
-  }
-
-  size_t node, lane;
-};
 
 template <class Method, bool any>
 class Packets {
@@ -71,8 +58,8 @@ class Packets {
     while (lists_.is_any_left()) {
       tested_count_ > 0 ? test_boxes() : go_on();
       end_packets();
-      visit_leaves();
-      visit_nodes();
+      meet_leaves();
+      visit_nodes_of_many();
       visit_nodes_of_few();
     }
     if (next_ < ray_count_) alone_.push_back(static_cast<uint32_t>(next_));
@@ -81,33 +68,6 @@ class Packets {
  private:
   static_assert(sizeof(Packet) % packet_size == 0 && batch_lanes % packet_size == 0);
   using Kind = PacketLists::Kind;
-
-  struct VisitChoice {
-    uint32_t kind, cost;
-  };
-  /// For a child's two highest bits, the next one set at a stack's end, and the number of rays that meet its
-  /// box.
-  static constexpr auto visit_choices = [] {
-    // Where leaves are visited by all rays or by each: about where it costs the same.
-    constexpr size_t few = 2, many = 7;
-    std::array<std::array<VisitChoice, packet_size + 1>, 8> choices{};
-    for (size_t bits = 4; bits < 8; ++bits) choices[bits].fill({Kind::ended, 0});
-    for (size_t bits = 0; bits < 4; ++bits) {
-      const bool is_leaf = bits >= 2, is_spheres = bits == 3;
-      choices[bits][0] = {Kind::popped, StepCosts::box};
-      for (size_t rays = 1; rays <= packet_size; ++rays) {
-        VisitChoice& choice = choices[bits][rays];
-        if (!is_leaf && rays <= few) choice = {Kind::node_of_few, StepCosts::box + StepCosts::node_of_few};
-        if (!is_leaf && rays > few) choice = {Kind::node_of_many, StepCosts::box + StepCosts::node};
-        if (is_leaf && (rays >= many || is_spheres))
-          choice = {Kind::leaf_of_many, StepCosts::box + StepCosts::leaf_together};
-        if (is_leaf && rays < many && !is_spheres)
-          choice = {Kind::leaf_of_few, StepCosts::box + StepCosts::leaf_apart +
-                                           static_cast<uint32_t>(rays) * StepCosts::ray_apart};
-      }
-    }
-    return choices;
-  }();
 
   HWY_INLINE Packet& packet_at(uint32_t offset) const {
     return *reinterpret_cast<Packet*>(packets_ + offset);
@@ -173,9 +133,6 @@ class Packets {
 
   /// Sorts packets by what they have popped.
   HWY_NOINLINE HWY_ATTR void go_on() {
-    static constexpr VisitChoice ends{Kind::ended, 0}, is_node{Kind::node_of_many, StepCosts::node},
-        is_leaf{Kind::leaf_of_many, StepCosts::leaf_together};
-    static constexpr VisitChoice next[4] = {is_node, is_leaf, ends, ends};
     const auto popped = lists_.take(Kind::popped);
     uint32_t* const kinds = lists_.kinds();
     const Node* const nodes = nodes_;
@@ -185,10 +142,11 @@ class Packets {
       const ChildPlace at(packet.current);
       packet.child = nodes[at.node].children[at.lane];
       packet.block = child_index(packet.child);
-      const VisitChoice& choice = next[2 * is_at_end(packet) + (packet.child >> 31)];
+      const VisitChoice& choice = untested_visits[2 * is_at_end(packet) + (packet.child >> 31)];
       packet.cost += choice.cost;
       kinds[i] = choice.kind;
       if (fetches_) fetch(nodes, blocks, packet.child);
+      RAYSWEEP_COUNT(count_, Visited::packet_child, 1 - is_at_end(packet));
     }
     lists_.sort(popped, {Kind::ended, Kind::node_of_many, Kind::leaf_of_many});
   }
@@ -208,7 +166,7 @@ class Packets {
       packet.child = nodes[at.node].children[at.lane];
       packet.block = child_index(packet.child);
       const VisitChoice& choice =
-          visit_choices[4 * is_at_end(packet) + (packet.child >> 30)][hwy::PopCount(packet.active)];
+          tested_visits[4 * is_at_end(packet) + (packet.child >> 30)][hwy::PopCount(packet.active)];
       packet.cost += choice.cost;
       kinds[i] = choice.kind;
       if (fetches_) fetch(nodes, blocks, packet.child);
@@ -222,7 +180,7 @@ class Packets {
 
   HWY_INLINE static uint32_t is_at_end(const Packet& packet) { return packet.top == packet.bottom ? 1 : 0; }
 
-  HWY_NOINLINE HWY_ATTR void visit_leaves() {
+  HWY_NOINLINE HWY_ATTR void meet_leaves() {
     const auto together = lists_.take(Kind::leaf_of_many);
     if (together.count > 0) {
       leaves_.meet_together(together.packets, together.count, tested_count_ == 0);
@@ -267,7 +225,7 @@ class Packets {
     }
   }
 
-  HWY_NOINLINE HWY_ATTR void visit_nodes() {
+  HWY_NOINLINE HWY_ATTR void visit_nodes_of_many() {
     const auto visits = lists_.take(Kind::node_of_many);
     for (uint32_t i = 0; i < visits.count; ++i) {
       Packet& packet = packet_at(visits.packets[i]);

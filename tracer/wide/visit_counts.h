@@ -21,7 +21,8 @@ enum class Visited {
   packet_begun,
   packet_missed,   // a group whose rays all miss the box around everything
   packet_refused,  // one whose rays are not regular, or where packets do not pay
-  packet_box,      // the box of a child compared with each ray
+  packet_box,      // a child's, compared with each ray before the packet goes on there
+  packet_child,    // gone on to without that
   packet_node,
   packet_node_of_few,  // compared with two rays at most, instead of all
   packet_block,
@@ -32,10 +33,10 @@ enum class Visited {
   packet_ray_look,     // of all that it hits there
 };
 inline constexpr std::array visit_names{
-    "ray_begun",          "ray_node",       "ray_block",      "ray_test",    "ray_look",
-    "packet_begun",       "packet_missed",  "packet_refused", "packet_box",  "packet_node",
-    "packet_node_of_few", "packet_block",   "packet_test",    "packet_look", "packet_block_apart",
-    "packet_ray",         "packet_ray_look"};
+    "ray_begun",          "ray_node",           "ray_block",      "ray_test",    "ray_look",
+    "packet_begun",       "packet_missed",      "packet_refused", "packet_box",  "packet_child",
+    "packet_node",        "packet_node_of_few", "packet_block",   "packet_test", "packet_look",
+    "packet_block_apart", "packet_ray",         "packet_ray_look"};
 
 #ifdef RAYSWEEP_COUNT_VISITS
 
