@@ -26,8 +26,8 @@ class GroupChoice {
  public:
   /// Whether a group that could go together is to go alone so that it is known what that takes: a few, once.
   [[nodiscard]] bool explores() {
-    ready_ = std::min(ready_ + 1, trusted + explored);
-    return ready_ > trusted && ready_ < trusted + explored;
+    if (ready_ == trusted + explored) return false;
+    return ++ready_ > trusted;
   }
 
   /// Whether the next group is to go together. Where that has not paid, many go alone before it is tried
@@ -59,7 +59,7 @@ class GroupChoice {
   }
 
  private:
-  static constexpr uint32_t trusted = 32, explored = 9, least_alone = 32, most_alone = 128;
+  static constexpr uint32_t trusted = 32, explored = 8, least_alone = 32, most_alone = 128;
   /// Of some hundred packets, so that one region where all rays take longer does not decide; what is trusted
   /// at first is less.
   static constexpr int64_t most_gain = 400'000, first_gain = 100'000;

@@ -64,9 +64,10 @@ inline constexpr uint32_t packets_in_flight = 24;
 
 struct alignas(64) Packet : StackPlace {
   alignas(64) PacketRows origin, direction, reciprocal;
-  /// Planes of boxes are met at t = plane·reciprocal + offset, with `slack` for rounding: as in Slot, where
-  /// each plane is moved to the safe side by 4u|c| and some more. Here the far end of what lies between
-  /// planes is moved, by thrice what the worst of a ray's axes takes: that outweighs both ends, widened.
+  /// A ray meets planes at t = plane·reciprocal + offset, and Slot tells how far on the safe side each has to
+  /// be moved: let e be the most of its axes. Then a box is met where max(enter) − e ≤ (min(leave) + e)·w, w
+  /// for widening. Here one row stands for both ends: max(enter) ≤ min(leave)·w + slack, slack = 3e, of which
+  /// the third e is more than widening takes; limits are compared in the same way.
   PacketRows offset;
   float slack[packet_size];
   float t[packet_size];  // nearest hits so far; any: negative where one is known

@@ -1,4 +1,4 @@
-// Loads packets of rays that go the same way, and aims their beams.
+// Loads packets of rays, and aims their beams.
 #if defined(RAYSWEEP_WIDE_PACKET_LOADER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYSWEEP_WIDE_PACKET_LOADER_INL_H_
 #undef RAYSWEEP_WIDE_PACKET_LOADER_INL_H_
@@ -12,6 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
 
+/// What became of a group of rays that was to be a packet.
+enum class Loaded { ready, misses_everything, irregular };
+
 /// Loads packets and makes their beams.
 ///
 /// Rays towards one point, such as a light, are looked at from there: from their ends E = O + t_max·D
@@ -19,8 +22,6 @@ namespace HWY_NAMESPACE {
 /// exact ray passes within 15u(|O| + |p|) of it, p being the box's farthest plane: 3 roundings of each end of
 /// the interval and its widening. A computed end is off by 3u(2|O| + |E|). Ends are moved by 32u(|O| + |E| +
 /// |p|), which is more; the roundings of the beam's own operations are outweighed as Slot's are.
-enum class Loaded { ready, misses_everything, irregular };
-
 template <bool any>
 class PacketLoader {
  public:
