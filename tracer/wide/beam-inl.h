@@ -36,11 +36,6 @@ HWY_INLINE Lanes3<RayTag> spread(const float (*rows)[lane_count], size_t lane) {
   return broadcast(RayTag(), rows[0][lane], rows[1][lane], rows[2][lane]);
 }
 
-/// Four numbers, by axis.
-using Axes = hn::FixedTag<float, 4>;
-using AxisWords = hn::FixedTag<uint32_t, 4>;
-using AxisLanes = hn::Vec<Axes>;
-
 /// The smallest and the largest numbers: of a packet's vectors by axis, and of one number more.
 struct Ranges {
   AxisLanes least, most;
@@ -97,12 +92,6 @@ class RangesOf {
 
  private:
   RayLanes least_[8];  // the last four: of the numbers negated
-};
-
-/// Boxes that some ray may be inside of, and when the first one is.
-struct Meeting {
-  FloatLanes enter;
-  LaneMask met;
 };
 
 /// When a packet meets planes: t = plane·slope + offset, for the first of its rays to enter and for the last

@@ -26,6 +26,11 @@ using FloatLanes = hn::Vec<Floats>;
 using WordLanes = hn::Vec<Words>;
 using LaneMask = hn::Mask<Floats>;
 
+/// Four numbers, by axis.
+using Axes = hn::FixedTag<float, 4>;
+using AxisWords = hn::FixedTag<uint32_t, 4>;
+using AxisLanes = hn::Vec<Axes>;
+
 /// Vec3 with the same operations in the same order, so that lanes round as scalars do: no fused operations.
 /// `D` says how many lanes: of triangles that meet one ray, or of rays that meet one triangle.
 template <class D>
@@ -57,9 +62,10 @@ HWY_INLINE Lanes3<D> cross(const Lanes3<D>& a, const Lanes3<D>& b) {
 }
 
 /// One bit a lane.
-HWY_INLINE uint32_t bits_of(LaneMask mask) {
+template <class Mask, class D = std::conditional_t<std::is_same_v<Mask, LaneMask>, Floats, Axes>>
+HWY_INLINE uint32_t bits_of(Mask mask) {
   uint8_t bits[8];  // Highway writes up to 8 bytes
-  hn::StoreMaskBits(Floats(), mask, bits);
+  hn::StoreMaskBits(D(), mask, bits);
   return bits[0];
 }
 

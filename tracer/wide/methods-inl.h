@@ -28,6 +28,17 @@ struct LaneHits {
   hn::Vec<D> t, beta, gamma;
 };
 
+/// The same times a divisor.
+template <class D>
+struct Quotients {
+  hn::Vec<D> t, beta, gamma, divisor;
+};
+template <class D>
+HWY_INLINE LaneHits<D> divide(D d, const Quotients<D>& q) {
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), q.divisor);
+  return {hn::Mul(q.t, inverse), hn::Mul(q.beta, inverse), hn::Mul(q.gamma, inverse)};
+}
+
 /// What is known of triangles before a ray's direction: a few vectors each, which differ from method to
 /// method.
 template <class D, size_t count>
@@ -48,15 +59,13 @@ HWY_INLINE TriangleVectors<D, 4> seen_from(MollerTrumbore, const Lanes3<D>& orig
   const Lanes3<D> ao = minus<D>(origin, a);
   return {{ao, cross<D>(ao, ab), ab, ac}};
 }
-/// The rest of it, without its early ends.
+/// The rest of it, without its early ends, up to its division.
 template <class D>
-HWY_INLINE LaneHits<D> solve(MollerTrumbore, D d, const Lanes3<D>& direction,
-                             const TriangleVectors<D, 4>& seen) {
+HWY_INLINE Quotients<D> project(MollerTrumbore, const Lanes3<D>& direction,
+                                const TriangleVectors<D, 4>& seen) {
   const auto& [ao, q, ab, ac] = seen.v;
   const Lanes3<D> p = cross<D>(direction, ac);
-  const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(ab, p));
-  return {hn::Mul(dot<D>(ac, q), inverse), hn::Mul(dot<D>(ao, p), inverse),
-          hn::Mul(dot<D>(direction, q), inverse)};
+  return {dot<D>(ac, q), dot<D>(ao, p), dot<D>(direction, q), dot<D>(ab, p)};
 }
 
 /// Morozov::prepare: A, E1, E2, N.
@@ -72,14 +81,12 @@ HWY_INLINE TriangleVectors<D, 4> seen_from(Morozov, const Lanes3<D>& origin,
   const auto& [a, e1, e2, n] = prepared.v;
   return {{minus<D>(a, origin), e1, e2, n}};
 }
-/// Morozov::intersect without its early ends.
+/// Morozov::intersect without its early ends, up to its division.
 template <class D>
-HWY_INLINE LaneHits<D> solve(Morozov, D d, const Lanes3<D>& direction, const TriangleVectors<D, 4>& seen) {
+HWY_INLINE Quotients<D> project(Morozov, const Lanes3<D>& direction, const TriangleVectors<D, 4>& seen) {
   const auto& [to_plane, e1, e2, n] = seen.v;
-  const auto inverse = hn::Div(hn::Set(d, 1.0f), dot<D>(direction, n));
   const Lanes3<D> s = cross<D>(to_plane, direction);
-  return {hn::Mul(dot<D>(to_plane, n), inverse), hn::Mul(dot<D>(s, e2), inverse),
-          hn::Mul(dot<D>(s, e1), inverse)};
+  return {dot<D>(to_plane, n), dot<D>(s, e2), dot<D>(s, e1), dot<D>(direction, n)};
 }
 
 /// Lanes with 0 < t < ∞, β ≥ 0, γ ≥ 0, β + γ ≤ 1; NaN anywhere is a miss.
@@ -175,29 +182,44 @@ HWY_INLINE TriangleVectors<D, 3> seen_from(WoopWatertight, const Lanes3<D>& orig
   const auto& [a, b, c] = prepared.v;
   return {{minus<D>(a, origin), minus<D>(b, origin), minus<D>(c, origin)}};
 }
-/// The formula of WoopWatertight::intersect up to where it turns to double, axes being swapped already.
+/// The edge functions and the corners' distances along the longest axis.
 template <class D>
-HWY_INLINE WatertightHits<D> solve(WoopWatertight, D d, const Lanes3<D>& shear,
-                                   const TriangleVectors<D, 3>& seen) {
+struct Edges {
+  hn::Vec<D> u, v, w, a, b, c, along;
+};
+/// The formula of WoopWatertight::intersect up to its division, axes being swapped already.
+template <class D>
+HWY_INLINE Edges<D> project(WoopWatertight, const Lanes3<D>& shear, const TriangleVectors<D, 3>& seen) {
   const auto sheared = [&](const Lanes3<D>& p) HWY_ATTR {
     return Lanes3<D>{hn::Sub(p.x, hn::Mul(shear.x, p.z)), hn::Sub(p.y, hn::Mul(shear.y, p.z)), p.z};
   };
   const Lanes3<D> a = sheared(seen.v[0]), b = sheared(seen.v[1]), c = sheared(seen.v[2]);
   const auto edge = [](const Lanes3<D>& p, const Lanes3<D>& q)
                         HWY_ATTR { return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x)); };
-  const auto u = edge(c, b), v = edge(a, c), w = edge(b, a);
+  return {edge(c, b), edge(a, c), edge(b, a), a.z, b.z, c.z, shear.z};
+}
+/// And on to where it turns to double.
+template <class D>
+HWY_INLINE WatertightHits<D> divide(D d, const Edges<D>& edges) {
+  const auto& [u, v, w, a, b, c, along] = edges;
   // Where one of them is NaN, so is the distance.
   const auto is_inside =
       hn::Or(hn::Ge(hn::Min(hn::Min(u, v), w), hn::Zero(d)), hn::Le(hn::Max(hn::Max(u, v), w), hn::Zero(d)));
   const auto least = hn::Min(hn::Min(hn::Abs(u), hn::Abs(v)), hn::Abs(w));
   const auto is_uncertain = hn::Lt(least, hn::Set(d, WoopWatertight::least_certain<float>));
   const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(u, v), w));
-  const auto sum = hn::Add(hn::Add(hn::Mul(hn::Mul(u, inverse), a.z), hn::Mul(hn::Mul(v, inverse), b.z)),
-                           hn::Mul(hn::Mul(w, inverse), c.z));
-  const auto t = hn::Mul(sum, shear.z);
+  const auto sum = hn::Add(hn::Add(hn::Mul(hn::Mul(u, inverse), a), hn::Mul(hn::Mul(v, inverse), b)),
+                           hn::Mul(hn::Mul(w, inverse), c));
+  const auto t = hn::Mul(sum, along);
   const auto is_ahead =
       hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity())));
   return {hn::IfThenElse(is_uncertain, hn::NaN(d), t), hn::And(is_inside, hn::Or(is_uncertain, is_ahead))};
+}
+
+/// Where rays hit, if they do.
+template <class Method, class D, class Seen>
+HWY_INLINE auto solve(Method, D d, const Lanes3<D>& along, const Seen& seen) {
+  return divide(d, project(Method{}, along, seen));
 }
 
 /// SphereHit of each lane, and which meet the sphere at all.

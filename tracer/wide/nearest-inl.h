@@ -12,12 +12,20 @@ HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
 
-/// One ray, with what `SlabRay` keeps of it.
-struct RayNumbers {
-  Vec3f origin, direction, reciprocal;
+/// One ray, with what `SlabRay` keeps of it; fourth lanes repeat the first ones.
+struct OneRay {
+  AxisLanes origin, direction, reciprocal;
+  uint32_t longest_axis;  // of the direction, for methods that shear
 
-  [[nodiscard]] HWY_INLINE Ray<float> ray() const { return {origin, direction}; }
-  [[nodiscard]] HWY_INLINE SlabRay<float> slab_ray() const { return SlabRay<float>(ray(), reciprocal); }
+  [[nodiscard]] HWY_INLINE Ray<float> ray() const { return {vec_of(origin), vec_of(direction)}; }
+  [[nodiscard]] HWY_INLINE SlabRay<float> slab_ray() const {
+    return SlabRay<float>(ray(), vec_of(reciprocal));
+  }
+
+ private:
+  HWY_INLINE static Vec3f vec_of(AxisLanes v) {
+    return {hn::GetLane(v), hn::ExtractLane(v, 1), hn::ExtractLane(v, 2)};
+  }
 };
 
 /// `nearest`, or what comes before it among the block's triangles in `lanes`, asked one by one.
@@ -34,29 +42,59 @@ HWY_INLINE Hit<float> nearest_one_by_one(const Primitives<float, Method>& primit
   return nearest;
 }
 
+/// One lane of three rows: x, y, z, x.
+template <size_t width>
+HWY_INLINE AxisLanes point_of(const float (*rows)[width], size_t lane) {
+  const Axes d;
+  return hn::InsertLane(hn::InsertLane(hn::Set(d, rows[0][lane]), 1, rows[1][lane]), 2, rows[2][lane]);
+}
+
+/// `dot` of one pair of vectors.
+HWY_INLINE float dot_of_one(AxisLanes a, AxisLanes b) {
+  const AxisLanes products = hn::Mul(a, b);
+  return hn::GetLane(products) + hn::ExtractLane(products, 1) + hn::ExtractLane(products, 2);
+}
+
+/// Primitives::accept_triangle of one regular ray and one triangle that it hits at `t`, as `accept` does it,
+/// but with x, y and z side by side. The distance that counts, or NaN.
+template <class Method, class Block>
+HWY_INLINE float accept_one(const OneRay& ray, const Block& block, size_t lane, float t) {
+  const Axes d;
+  const AxisLanes a = point_of(block.corners, lane), b = point_of(block.corners + 3, lane),
+                  c = point_of(block.corners + 6, lane), normal = point_of(block.normal, lane);
+  const AxisLanes least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
+  const AxisLanes by =
+      hn::Mul(hn::MaxOfLanes(d, hn::Max(hn::Abs(least), hn::Abs(most))), hn::Set(d, box_padding<float>));
+  const AxisLanes lower = hn::Mul(hn::Sub(hn::Sub(least, by), ray.origin), ray.reciprocal),
+                  upper = hn::Mul(hn::Sub(hn::Add(most, by), ray.origin), ray.reciprocal);
+  const float enter = std::max(hn::GetLane(hn::MaxOfLanes(d, hn::Min(lower, upper))), 0.0f);
+  const float leave = hn::GetLane(hn::MinOfLanes(d, hn::Max(lower, upper))) * slab_widening<float>;
+  const float held = std::min(std::max(t, enter), leave);
+  const float side = dot_of_one(normal, hn::Sub(ray.origin, a)), towards = dot_of_one(normal, ray.direction);
+  bool is_ahead = ((side > 0) & (towards < 0)) | ((side < 0) & (towards > 0));
+  if constexpr (Method::is_watertight) {
+    const AxisLanes zero = hn::Zero(d);
+    const uint32_t axes = bits_of(hn::Or(hn::And(hn::Gt(ray.direction, zero), hn::Gt(least, ray.origin)),
+                                         hn::And(hn::Lt(ray.direction, zero), hn::Lt(most, ray.origin))));
+    const bool is_degenerate = hn::AllFalse(d, hn::Ne(normal, zero));
+    is_ahead |= ((axes >> ray.longest_axis) & 1) != 0 && !is_degenerate;
+  }
+  const bool is_held = (t > 0) & (enter <= leave) & (held > 0);
+  return is_ahead & is_held ? held : std::numeric_limits<float>::quiet_NaN();
+}
+
 /// The first of a regular ray's hits at `distances` that counts. Infinity: not hit; NaN: lanes cannot tell.
 /// Hardly ever is there more than one, so each is looked at by itself.
 template <class Method, class Block>
 HWY_INLINE Hit<float> nearest_triangle(const Primitives<float, Method>& primitives, const Block& block,
-                                       const RayNumbers& ray, const float* distances) {
-  using One = hn::FixedTag<float, 1>;
-  const One d;
-  const auto vector = [](const Vec3f& v) HWY_ATTR { return broadcast(One(), v.x, v.y, v.z); };
+                                       const OneRay& ray, const float* distances) {
   const FloatLanes t = hn::Load(Floats(), distances);
   Hit<float> nearest = Hit<float>::none();
   for (uint32_t left = bits_of(hn::Lt(t, hn::Set(Floats(), std::numeric_limits<float>::infinity())));
        left != 0; left &= left - 1) {
     const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-    const auto of_lane = [lane](const float(*rows)[lane_count]) HWY_ATTR {
-      return broadcast(One(), rows[0][lane], rows[1][lane], rows[2][lane]);
-    };
-    const Corners<One> corners{of_lane(block.corners), of_lane(block.corners + 3),
-                               of_lane(block.corners + 6)};
-    const AcceptedHits<One> hit =
-        accept(Method{}, d, vector(ray.origin), vector(ray.direction), vector(ray.reciprocal),
-               boxes_of(d, corners), corners, of_lane(block.normal), hn::Set(d, distances[lane]));
-    const Hit<float> found{hn::GetLane(hit.t), block.id[lane]};
-    if (hn::AllTrue(d, hit.accepted) && found.before(nearest)) nearest = found;
+    const Hit<float> found{accept_one<Method>(ray, block, lane, distances[lane]), block.id[lane]};
+    if (found.before(nearest)) nearest = found;
   }
   if constexpr (Method::is_watertight) {
     const LaneMask is_undecided = hn::IsNaN(t);

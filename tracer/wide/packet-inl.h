@@ -6,6 +6,8 @@
 #define RAYSWEEP_WIDE_PACKET_INL_H_
 #endif
 
+#include <bit>
+
 #include "tracer/wide/beam-inl.h"
 #include "tracer/wide/nearest-inl.h"
 
@@ -159,20 +161,27 @@ HWY_INLINE uint32_t octant_of(const Packet& packet, size_t ray) {
   return falls(0) + 2 * falls(1) + 4 * falls(2);
 }
 
-HWY_INLINE RayNumbers ray_of(const Packet& packet, size_t i) {
-  const auto of = [i](const PacketRows& rows) { return Vec3f(rows[0][i], rows[1][i], rows[2][i]); };
-  return {of(packet.origin), of(packet.direction), of(packet.reciprocal)};
+template <class Method>
+HWY_INLINE OneRay ray_of(const Packet& packet, size_t i) {
+  return {point_of(packet.origin, i), point_of(packet.direction, i), point_of(packet.reciprocal, i),
+          shears<Method> ? static_cast<uint32_t>(packet.axes[i]) : 0};
 }
 
-/// Where all rays meet one triangle of `rows`; whether any does. Infinity: not met.
-template <class Method, bool has_one_origin, bool has_one_axis>
-HWY_INLINE bool solve_all(const Packet& packet, const BlockRows& rows, size_t lane, float* distances) {
+/// What a method knows of all rays and one triangle before it divides.
+template <class Of>
+struct OfAllRays {
+  Of rays[packet_size / rays_at_once];
+};
+
+/// One triangle of `rows`.
+template <class Method, bool has_one_origin>
+HWY_INLINE auto project_all(const Packet& packet, const BlockRows& rows, size_t lane) {
   const RayTag d;
   using Prepared = decltype(prepare(Method{}, Corners<RayTag>{}));
   using Seen = decltype(seen_from(Method{}, Lanes3<RayTag>{}, Prepared{}));
   const auto vectors = rows.template vectors<std::conditional_t<has_one_origin, Seen, Prepared>>(lane);
   const auto& axes = axes_of<Method>(packet.longest_axis);
-  RayMask is_met = hn::FirstN(d, 0);
+  OfAllRays<decltype(project(Method{}, Lanes3<RayTag>{}, Seen{}))> projected;
   for (size_t at = 0; at < packet_size; at += rays_at_once) {
     Seen seen;
     if constexpr (has_one_origin) {
@@ -184,9 +193,22 @@ HWY_INLINE bool solve_all(const Packet& packet, const BlockRows& rows, size_t la
                                       hn::Load(d, from[axes[2]] + at)},
                        vectors);
     }
-    if constexpr (!has_one_axis) seen = AxisSwap<RayTag>(hn::Load(d, packet.axes + at))(seen);
-    const auto found =
-        solve(Method{}, d, load_rays(shears<Method> ? packet.shear : packet.direction, at), seen);
+    if constexpr (shears<Method>) {
+      if (packet.has_one_axis == 0) seen = AxisSwap<RayTag>(hn::Load(d, packet.axes + at))(seen);
+    }
+    projected.rays[at / rays_at_once] =
+        project(Method{}, load_rays(shears<Method> ? packet.shear : packet.direction, at), seen);
+  }
+  return projected;
+}
+
+/// Where rays meet the triangle; whether any does. Infinity: not met.
+template <class Projected>
+HWY_INLINE bool divide_all(const Projected& projected, float* distances) {
+  const RayTag d;
+  RayMask is_met = hn::FirstN(d, 0);
+  for (size_t at = 0; at < packet_size; at += rays_at_once) {
+    const auto found = divide(d, projected.rays[at / rays_at_once]);
     const RayMask hit = is_hit(d, found);
     hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
               distances + at);

@@ -11,6 +11,7 @@
 #include "tracer/wide/nearest-inl.h"
 #include "tracer/wide/packet-inl.h"
 #include "tracer/wide/spread_rays-inl.h"
+#include "tracer/wide/two_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -109,26 +110,19 @@ class PacketLeaves {
   template <bool have_one_origin>
   HWY_NOINLINE HWY_ATTR uint32_t test_together(const uint32_t* offsets, uint32_t count) {
     uint32_t met = 0;
-    for (uint32_t i = 0; i < count; ++i) {
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       const uint32_t test = tests_[i];
       const Packet& packet = packet_at(offsets[test / lane_count]);
       const BlockRows& rows = rows_[test / lane_count];
-      float* const distances = distances_ + met * packet_size;
-      const size_t lane = test % lane_count;
+      return project_all<Method, have_one_origin>(packet, rows, test % lane_count);
+    };
+    const auto second = [&](const auto& projected, uint32_t i) RAYSWEEP_STEP {
       RAYSWEEP_COUNT(count_, Visited::packet_test);
-      candidates_[met] = test;
-      const bool is_met = has_one_axis(packet)
-                              ? solve_all<Method, have_one_origin, true>(packet, rows, lane, distances)
-                              : solve_all<Method, have_one_origin, false>(packet, rows, lane, distances);
-      met += is_met ? 1 : 0;
-    }
+      candidates_[met] = tests_[i];
+      met += divide_all(projected, distances_ + met * packet_size) ? 1 : 0;
+    };
+    in_two_steps<rays_at_once == packet_size ? 2 : 1>(count, first, second);
     return met;
-  }
-
-  /// For methods that swap axes: whether all rays swap the same.
-  HWY_INLINE static bool has_one_axis(const Packet& packet) {
-    if constexpr (shears<Method>) return packet.has_one_axis != 0;
-    return true;
   }
 
   HWY_INLINE void look_at(uint32_t offset, uint32_t test, const float* distances) {
@@ -157,7 +151,7 @@ class PacketLeaves {
 
   /// Whether ray `i` meets a triangle of which lanes cannot tell.
   HWY_INLINE void decide(Packet& packet, size_t i, uint32_t id) {
-    const RayNumbers ray = ray_of(packet, i);
+    const OneRay ray = ray_of<Method>(packet, i);
     const auto t = primitives_.accept_triangle(id, std::numeric_limits<float>::quiet_NaN(), ray.ray(),
                                                ray.slab_ray(), Hit<float>::start());
     if (t) keep_of_ray<any>(packet, i, {*t, id});
@@ -183,38 +177,34 @@ class PacketLeaves {
 
   HWY_NOINLINE HWY_ATTR uint32_t test_apart(uint32_t count) {
     uint32_t met = 0;
-    for (uint32_t i = 0; i < count; i += rays_a_test) {
-      const Packet& packet = packet_at(tests_[i] & ~uint32_t{packet_size - 1});
-      met += solve_apart(packet, blocks_[packet.block], tests_ + i, candidates_ + met,
-                         distances_ + met * lane_count);
-    }
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP {
+      const uint32_t* const rays = tests_ + i * rays_a_test;
+      const Packet& packet = packet_at(rays[0] & ~uint32_t{packet_size - 1});
+      return project_apart(packet, blocks_[packet.block], SpreadRays(rays));
+    };
+    const auto second = [&](const auto& projected, uint32_t i) RAYSWEEP_STEP {
+      const SpreadRays::Tag d;
+      const auto found = divide(d, projected);
+      const auto hit = is_hit(d, found);
+      const auto t = hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity()));
+      met += SpreadRays::list(tests_ + i * rays_a_test, hit, t, candidates_ + met,
+                              distances_ + met * lane_count);
+    };
+    in_two_steps<1>(count / rays_a_test, first, second);
     return met;
   }
 
-  /// Where `rays_a_test` rays of a packet meet a block: lists those that do and their distances; how many.
-  HWY_INLINE static uint32_t solve_apart(const Packet& packet, const Block& block, const uint32_t* rays,
-                                         uint32_t* met, float* distances) {
+  /// Some rays of a packet and the triangles of a block.
+  HWY_INLINE static auto project_apart(const Packet& packet, const Block& block, const SpreadRays& rays) {
     static constexpr uint32_t in_order[3] = {0, 1, 2};
-    const SpreadRays spread(rays);
-    const SpreadRays::Tag d;
     const auto& axes = axes_of<Method>(packet.longest_axis);
-    const auto seen = [&]() HWY_ATTR {
-      return seen_from(Method{}, spread.of(packet.origin, axes),
-                       prepare(Method{}, SpreadRays::corners_of(block, axes)));
-    };
-    const auto list_hits = [&](const auto& found) HWY_ATTR {
-      const auto hit = is_hit(d, found);
-      const auto t = hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity()));
-      return spread.list(hit, t, met, distances);
-    };
+    auto seen = seen_from(Method{}, rays.of(packet.origin, axes),
+                          prepare(Method{}, SpreadRays::corners_of(block, axes)));
     if constexpr (shears<Method>) {
-      const auto shear = spread.of(packet.shear, in_order);
-      if (packet.has_one_axis == 0)
-        return list_hits(
-            solve(Method{}, d, shear, AxisSwap<SpreadRays::Tag>(spread.of(packet.axes))(seen())));
-      return list_hits(solve(Method{}, d, shear, seen()));
+      if (packet.has_one_axis == 0) seen = AxisSwap<SpreadRays::Tag>(rays.of(packet.axes))(seen);
+      return project(Method{}, rays.of(packet.shear, in_order), seen);
     } else {
-      return list_hits(solve(Method{}, d, spread.of(packet.direction, in_order), seen()));
+      return project(Method{}, rays.of(packet.direction, in_order), seen);
     }
   }
 
@@ -222,8 +212,9 @@ class PacketLeaves {
     const size_t i = word % packet_size;
     Packet& packet = packet_at(word - static_cast<uint32_t>(i));
     RAYSWEEP_COUNT(count_, Visited::packet_ray_look);
-    keep_of_ray<any>(packet, i,
-                     nearest_triangle(primitives_, blocks_[packet.block], ray_of(packet, i), distances));
+    keep_of_ray<any>(
+        packet, i,
+        nearest_triangle(primitives_, blocks_[packet.block], ray_of<Method>(packet, i), distances));
   }
 
   const Primitives<float, Method>& primitives_;

@@ -18,6 +18,7 @@
 #include "tracer/wide/packet_leaves-inl.h"
 #include "tracer/wide/packet_lists-inl.h"
 #include "tracer/wide/packet_loader-inl.h"
+#include "tracer/wide/two_steps-inl.h"
 #include "tracer/wide/visit_choice-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -157,13 +158,17 @@ class Packets {
     uint32_t* const kinds = lists_.kinds();
     const Node* const nodes = nodes_;
     const Block* const blocks = blocks_;
-    for (uint32_t i = 0; i < popped.count; ++i) {
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Packet& packet = packet_at(popped.packets[i]);
       const ChildPlace at(packet.current);
       const auto& bounds = nodes[at.node].bounds;
-      packet.active = rays_that_meet(
-          packet, [&](size_t axis, size_t side) HWY_ATTR { return bounds[axis][side][at.lane]; });
       packet.child = nodes[at.node].children[at.lane];
+      return rays_that_meet(packet,
+                            [&](size_t axis, size_t side) HWY_ATTR { return bounds[axis][side][at.lane]; });
+    };
+    const auto second = [&](uint32_t active, uint32_t i) RAYSWEEP_STEP {
+      Packet& packet = packet_at(popped.packets[i]);
+      packet.active = active;
       packet.block = child_index(packet.child);
       const VisitChoice& choice =
           tested_visits[4 * is_at_end(packet) + (packet.child >> 30)][hwy::PopCount(packet.active)];
@@ -171,7 +176,8 @@ class Packets {
       kinds[i] = choice.kind;
       if (fetches_) fetch(nodes, blocks, packet.child);
       RAYSWEEP_COUNT(count_, Visited::packet_box, 1 - is_at_end(packet));
-    }
+    };
+    in_two_steps<1>(popped.count, first, second);
     lists_.sort(popped, {Kind::popped, Kind::ended, Kind::node_of_many, Kind::node_of_few, Kind::leaf_of_many,
                          Kind::leaf_of_few});
     const uint32_t* const missed = lists_.packets(Kind::popped);
@@ -227,16 +233,27 @@ class Packets {
 
   HWY_NOINLINE HWY_ATTR void visit_nodes_of_many() {
     const auto visits = lists_.take(Kind::node_of_many);
-    for (uint32_t i = 0; i < visits.count; ++i) {
+    struct Step {
+      Packet* packet;
+      const Node* node;
+      FloatLanes enter;
+    };
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Packet& packet = packet_at(visits.packets[i]);
       const Node& node = nodes_[packet.child];
       const auto* const bytes = reinterpret_cast<const char*>(&node);
       const Meeting meeting = packet.beam.meet([bytes](size_t at) HWY_ATTR {
         return hn::Load(Floats(), reinterpret_cast<const float*>(bytes + at));
       });
-      push(packet, node, meeting, *reinterpret_cast<const uint32_t*>(bytes + packet.beam.order));
+      return Step{&packet, &node, meeting.enter_if_met()};
+    };
+    const auto second = [&](const Step& step, uint32_t) RAYSWEEP_STEP {
+      const auto* const bytes = reinterpret_cast<const char*>(step.node);
+      push(*step.packet, *step.node, step.enter,
+           *reinterpret_cast<const uint32_t*>(bytes + step.packet->beam.order));
       RAYSWEEP_COUNT(count_, Visited::packet_node);
-    }
+    };
+    in_two_steps<1>(visits.count, first, second);
     lists_.add(Kind::popped, visits);
   }
 
@@ -249,15 +266,15 @@ class Packets {
                    last = 31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(packet.active);
       const Meeting one = meet_of_ray(packet, first, node), other = meet_of_ray(packet, last, node);
       const Meeting either{hn::Min(one.enter, other.enter), hn::Or(one.met, other.met)};
-      push(packet, node, either, node.far_to_near[octant_of(packet, first)]);
+      push(packet, node, either.enter_if_met(), node.far_to_near[octant_of(packet, first)]);
       RAYSWEEP_COUNT(count_, Visited::packet_node_of_few);
     }
     lists_.add(Kind::popped, visits);
   }
 
-  HWY_INLINE void push(Packet& packet, const Node& node, const Meeting& meeting, uint32_t far_to_near) const {
+  HWY_INLINE void push(Packet& packet, const Node& node, FloatLanes enter, uint32_t far_to_near) const {
     const WordLanes places = ChildPlace::of_all(packet.child, hn::Load(Words(), node.children));
-    stacks_.push_in_order(packet, places, meeting.enter, meeting.met, far_to_near);
+    stacks_.push_in_order(packet, places, enter, far_to_near);
   }
 
   const Node* const nodes_;

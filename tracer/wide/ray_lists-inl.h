@@ -14,26 +14,27 @@ namespace HWY_NAMESPACE {
 
 /// Rays in flight: enough to hide latency and to make the lists' ends rare, few enough to stay in the first
 /// cache.
-inline constexpr uint32_t slot_count = 48;
+inline constexpr uint32_t slot_count = 56;
 
 /// Of a ray that needs no child next: a hit is to be looked at first.
 inline constexpr WideChild candidate = ~WideChild{0};
 
-/// Offsets of slots by what their rays need next: a node, a block of triangles, a hit looked at, a new ray.
+/// Offsets of slots by what their rays need next: a node, a block of triangles, a hit looked at; those whose
+/// rays have ended, and those that have none.
 struct RayLists {
   struct List {
     uint32_t* slots;
     uint32_t count = 0;
   };
-  List nodes, next_nodes, leaves, candidates, ended;
+  List nodes, next_nodes, leaves, candidates, ended, empty;
   uint32_t* wanted;  // by rays just visited, in their order
 
   /// Numbers in the memory of all, with room for a vector of lanes stored at each one's end.
-  static constexpr size_t list_size = slot_count + lane_count, size = 6 * list_size;
+  static constexpr size_t list_size = slot_count + lane_count, size = 7 * list_size;
 
   /// Where in `memory`, which is a vector's, they end.
   HWY_INLINE uint32_t* place(uint32_t* memory) {
-    for (List* list : {&nodes, &next_nodes, &leaves, &candidates, &ended}) {
+    for (List* list : {&nodes, &next_nodes, &leaves, &candidates, &ended, &empty}) {
       list->slots = memory;
       memory += list_size;
     }

@@ -22,8 +22,7 @@ class SpreadRays {
   using Tag = hn::FixedTag<float, 2 * lane_count>;
 
   HWY_INLINE explicit SpreadRays(const uint32_t* rays)
-      : rays_{rays[0], rays[1]},
-        numbers_(hn::Combine(Twice(), hn::Set(Words(), rays[1]), hn::Set(Words(), rays[0]))) {}
+      : numbers_(hn::Combine(Twice(), hn::Set(Words(), rays[1]), hn::Set(Words(), rays[0]))) {}
 
   /// A lane of each row, for every triangle. Permutations look at the lowest bits alone.
   HWY_INLINE Lanes3<Tag> of(const PacketRows& rows, const uint32_t (&axes)[3]) const {
@@ -44,20 +43,20 @@ class SpreadRays {
     return {corner(0), corner(3), corner(6)};
   }
 
-  /// Lists those that meet something, and at what distances; how many.
-  HWY_INLINE uint32_t list(hn::Mask<Tag> hit, hn::Vec<Tag> t, uint32_t* met, float* distances) const {
+  /// Lists those of `rays` that meet something, and at what distances; how many.
+  HWY_INLINE static uint32_t list(const uint32_t* rays, hn::Mask<Tag> hit, hn::Vec<Tag> t, uint32_t* met,
+                                  float* distances) {
     const uint32_t bits = hit.raw, is_first = (bits & 0xff) != 0 ? 1 : 0, is_second = bits >> 8 != 0 ? 1 : 0;
     hn::Store(hn::LowerHalf(Floats(), t), Floats(), distances);
     hn::Store(hn::UpperHalf(Floats(), t), Floats(), distances + is_first * lane_count);
-    met[0] = rays_[0];
-    met[is_first] = rays_[1];
-    return is_first + (rays_[0] != rays_[1] ? is_second : 0);
+    met[0] = rays[0];
+    met[is_first] = rays[1];
+    return is_first + (is_second & static_cast<uint32_t>(rays[0] != rays[1]));
   }
 
  private:
   using Twice = hn::FixedTag<uint32_t, 2 * lane_count>;
 
-  uint32_t rays_[2];
   hn::Vec<Twice> numbers_;
 };
 
@@ -69,7 +68,7 @@ class SpreadRays {
  public:
   using Tag = Floats;
 
-  HWY_INLINE explicit SpreadRays(const uint32_t* rays) : ray_(rays[0]), number_(rays[0] % packet_size) {}
+  HWY_INLINE explicit SpreadRays(const uint32_t* rays) : number_(rays[0] % packet_size) {}
 
   HWY_INLINE Lanes3<Tag> of(const PacketRows& rows, const uint32_t (&axes)[3]) const {
     return broadcast(Tag(), rows[axes[0]][number_], rows[axes[1]][number_], rows[axes[2]][number_]);
@@ -82,14 +81,14 @@ class SpreadRays {
     return HWY_NAMESPACE::corners_of(block, axes);
   }
 
-  HWY_INLINE uint32_t list(hn::Mask<Tag> hit, hn::Vec<Tag> t, uint32_t* met, float* distances) const {
+  HWY_INLINE static uint32_t list(const uint32_t* rays, hn::Mask<Tag> hit, hn::Vec<Tag> t, uint32_t* met,
+                                  float* distances) {
     hn::Store(t, Tag(), distances);
-    met[0] = ray_;
+    met[0] = rays[0];
     return hn::AllFalse(Tag(), hit) ? 0 : 1;
   }
 
  private:
-  uint32_t ray_;
   size_t number_;
 };
 

@@ -12,6 +12,17 @@ HWY_BEFORE_NAMESPACE();
 namespace raysweep {
 namespace HWY_NAMESPACE {
 
+/// Boxes that a ray, or one of several, may be inside of, and where the first one enters.
+struct Meeting {
+  FloatLanes enter;
+  LaneMask met;
+
+  /// Infinity for those that none is.
+  [[nodiscard]] HWY_INLINE FloatLanes enter_if_met() const {
+    return hn::IfThenElse(met, enter, hn::Set(Floats(), std::numeric_limits<float>::infinity()));
+  }
+};
+
 inline constexpr WideChild sentinel = leaf_bit;  // the block without primitives: the end of a stack
 
 /// What is in flight knows where its stack is, from `bottom` to before `top`, what was popped last, and which
@@ -27,7 +38,7 @@ class Stacks {
   /// Entries that one stack may need: a vector's store at its top reaches past it.
   template <class Tree>
   HWY_INLINE static size_t size_for(const Tree& tree) {
-    return padded_to_lanes(tree.stack_size() + lane_count);
+    return padded_to_lanes(tree.stack_size() + 3 * lane_count);
   }
   static constexpr size_t entry_bytes = sizeof(WideChild) + sizeof(float);
 
@@ -50,22 +61,22 @@ class Stacks {
     at.current = 0;
   }
 
-  /// Pushes the children that are met, from far to near, and pops the nearest, else what was left for later.
-  HWY_INLINE void push_in_order(StackPlace& at, WordLanes children, FloatLanes enter, LaneMask met,
+  /// Pushes the children that are entered somewhere, at `enter` or, where it is infinity, nowhere, from far
+  /// to near, and pops the nearest, else what was left for later.
+  HWY_INLINE void push_in_order(StackPlace& at, WordLanes children, FloatLanes enter,
                                 uint32_t far_to_near) const {
     const Floats d;
     const Words dw;
-    const FloatLanes infinity = hn::Set(d, std::numeric_limits<float>::infinity());
     const WordLanes by_distance = unpack(far_to_near);
-    const FloatLanes keys = permute(hn::IfThenElse(met, enter, infinity), by_distance);
-    const Compaction kept(hn::Lt(keys, infinity));
+    const FloatLanes keys = permute(enter, by_distance);
+    const Compaction kept(hn::Lt(keys, hn::Set(d, std::numeric_limits<float>::infinity())));
     const uint32_t top = at.top;
     hn::StoreU(kept(permute(children, by_distance)), dw, children_ + top);
     hn::StoreU(kept(keys), d, enters_ + top);
     pop(at, top + kept.count());
   }
 
-  /// Pushes them in any order.
+  /// Pushes children that are met, in any order.
   HWY_INLINE void push(StackPlace& at, WordLanes children, LaneMask met) const {
     const Compaction kept(met);
     const uint32_t top = at.top;
@@ -88,7 +99,10 @@ class Stacks {
   HWY_INLINE void shorten_after_block(StackPlace& at, float limit, uint32_t more) const {
     // What was popped for `current` is still there; only a leaf that goes on was not.
     shorten(at, at.top + (1 - more), limit);
-    if (more == 0) pop(at);
+    const uint32_t top = at.top - (1 - more);
+    const WideChild popped = children_[top];
+    at.current = more != 0 ? at.current : popped;
+    at.top = top;
   }
 
   HWY_INLINE void pop(StackPlace& at) const { pop(at, at.top); }
@@ -99,16 +113,25 @@ class Stacks {
     const Floats d;
     const Words dw;
     const FloatLanes limit = hn::Set(d, limit_now);
+    const WordLanes ends = hn::Set(dw, end);
     uint32_t kept = at.bottom;
-    for (uint32_t from = at.bottom; from < end; from += lane_count) {
-      const FloatLanes enters = hn::LoadU(d, enters_ + from);
-      const WordLanes children = hn::LoadU(dw, children_ + from);
-      const LaneMask is_entry = hn::RebindMask(d, hn::Lt(count_from(from), hn::Set(dw, end)));
-      const Compaction keep(hn::And(hn::Le(enters, limit), is_entry));
-      hn::StoreU(keep(enters), d, enters_ + kept);
-      hn::StoreU(keep(children), dw, children_ + kept);
-      kept += keep.count();
-    }
+    const auto keep = [&](FloatLanes enters, WordLanes children, uint32_t from) HWY_ATTR {
+      const LaneMask is_entry = hn::RebindMask(Floats(), hn::Lt(count_from(from), ends));
+      const Compaction stay(hn::And(hn::Le(enters, limit), is_entry));
+      hn::StoreU(stay(enters), Floats(), enters_ + kept);
+      hn::StoreU(stay(children), Words(), children_ + kept);
+      kept += stay.count();
+    };
+    uint32_t from = at.bottom;
+    do {
+      const FloatLanes enters = hn::LoadU(d, enters_ + from),
+                       more = hn::LoadU(d, enters_ + from + lane_count);
+      const WordLanes children = hn::LoadU(dw, children_ + from),
+                      others = hn::LoadU(dw, children_ + from + lane_count);
+      keep(enters, children, from);
+      keep(more, others, from + lane_count);
+      from += 2 * lane_count;
+    } while (from < end);
     at.top = kept;
   }
 

@@ -14,7 +14,8 @@
 
 #include "tracer/wide/nearest-inl.h"
 #include "tracer/wide/ray_lists-inl.h"
-#include "tracer/wide/ray_setup-inl.h"
+#include "tracer/wide/ray_loader-inl.h"
+#include "tracer/wide/two_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raysweep {
@@ -35,47 +36,74 @@ class Stream {
         hits_(hits),
         scratch_(scratch),
         count_(scratch.visits),
-        chooser_(rays, hits, geometry.tree.bounds, scratch) {
+        loader_(rays, hits, geometry.tree.bounds, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
-    slots_ = static_cast<char*>(
-        scratch.reserve(slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) +
-                        (RayLists::size + chosen_at_once + 2 * packet_size) * sizeof(uint32_t)));
-    auto* memory = reinterpret_cast<uint32_t*>(
-        stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size));
-    chooser_.work_in(lists_.place(memory));
-    for (uint32_t i = 0; i < slot_count; ++i)
-      stacks_.begin(*new (slots_ + i * sizeof(Slot)) Slot, i * stack_size);
+    slots_ = static_cast<char*>(scratch.reserve(
+        slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) + RayLists::size * sizeof(uint32_t)));
+    lists_.place(reinterpret_cast<uint32_t*>(
+        stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size)));
+    for (uint32_t i = 0; i < slot_count; ++i) {
+      const auto offset = static_cast<uint32_t>(i * sizeof(Slot));
+      Slot& slot = *new (slots_ + offset) Slot;
+      stacks_.begin(slot, i * stack_size);
+      Stacks::restart(slot);
+      lists_.empty.slots[lists_.empty.count++] = offset;
+    }
   }
 
   HWY_INLINE void run() {
-    for (uint32_t i = 0; i < slot_count && chooser_.has_next(); ++i)
-      begin(static_cast<uint32_t>(i * sizeof(Slot)));
+    begin_rays();
     while (lists_.next_nodes.count + lists_.leaves.count > 0) {
       std::swap(lists_.nodes, lists_.next_nodes);
       lists_.next_nodes.count = lists_.candidates.count = lists_.ended.count = 0;
       visit_nodes();
       visit_leaves();
       look_at_candidates();
-      cycles_ += lists_.ended.count * StepCosts::ray;
-      for (uint32_t i = 0; i < lists_.ended.count; ++i) end(lists_.ended.slots[i]);
+      end_rays();
+      begin_rays();
     }
-    scratch_.choice(any).went_alone(cycles_, chooser_.ray_count());
+    scratch_.choice(any).went_alone(cycles_, loader_.ray_count());
   }
 
  private:
   HWY_INLINE Slot& slot_at(uint32_t offset) const { return *reinterpret_cast<Slot*>(slots_ + offset); }
 
-  /// Begins the next ray at the root.
-  HWY_INLINE void begin(uint32_t offset) {
-    Slot& slot = slot_at(offset);
-    chooser_.load_next(slot);
-    if constexpr (shears<Method>) slot.set_shear();
-    Stacks::restart(slot);
-    RAYSWEEP_COUNT(count_, Visited::ray_begun);
-    lists_.next_nodes.slots[lists_.next_nodes.count++] = offset;
+  // Each a function of its own, with what its loop reads in locals: together they would keep it on the stack.
+
+  /// Begins rays at the root as long as there are slots for as many as are looked at together.
+  HWY_NOINLINE HWY_ATTR void begin_rays() {
+    const Words dw;
+    uint32_t* const empty = lists_.empty.slots;
+    uint32_t left = lists_.empty.count, begun = lists_.next_nodes.count;
+    while (left >= lane_count && loader_.has_next()) {
+      uint32_t* const taken = empty + left - lane_count;
+      const uint32_t count = loader_.load_next(slots_, taken);
+      if (count == 0) continue;
+      RAYSWEEP_COUNT(count_, Visited::ray_begun, count);
+      hn::StoreU(hn::LoadU(dw, taken), dw, lists_.next_nodes.slots + begun);
+      hn::StoreU(hn::LoadU(dw, taken + count), dw, taken);
+      begun += count;
+      left -= count;
+    }
+    lists_.next_nodes.count = begun;
+    lists_.empty.count = left;
   }
 
-  // Each a function of its own, with what its loop reads in locals: together they would keep it on the stack.
+  HWY_NOINLINE HWY_ATTR void end_rays() {
+    const uint32_t count = lists_.ended.count;
+    cycles_ += count * StepCosts::ray;
+    float* const t = hits_.t.data();
+    uint32_t* const id = hits_.id.data();
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t offset = lists_.ended.slots[i];
+      Slot& slot = slot_at(offset);
+      t[slot.ray] = slot.t;
+      id[slot.ray] = slot.id;
+      Stacks::restart(slot);
+      lists_.empty.slots[lists_.empty.count + i] = offset;
+    }
+    lists_.empty.count += count;
+  }
 
   HWY_NOINLINE HWY_ATTR void visit_nodes() {
     const uint32_t count = lists_.nodes.count;
@@ -90,7 +118,12 @@ class Stream {
     const uint32_t* const now = lists_.nodes.slots;
     uint32_t* const wanted = lists_.wanted;
     const Stacks stacks = stacks_;
-    for (size_t i = 0; i < count; ++i) {
+    struct Step {
+      Slot* slot;
+      const char* node;
+      std::conditional_t<any, LaneMask, FloatLanes> met;  // or where each is entered, if it is
+    };
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
       const char* const node = reinterpret_cast<const char*>(nodes + slot.current);
       const auto plane = [node](size_t at) HWY_ATTR {
@@ -108,16 +141,23 @@ class Stream {
           hn::Min(meet(x ^ row, 0, slot.far_offset),
                   hn::Min(meet(y ^ row, 1, slot.far_offset), meet(z ^ row, 2, slot.far_offset)));
       const LaneMask met = hn::Le(enter, hn::Min(hn::Mul(leave, wider), hn::Set(d, slot.limit)));
+      if constexpr (any)
+        return Step{&slot, node, met};
+      else
+        return Step{&slot, node, Meeting{enter, met}.enter_if_met()};
+    };
+    const auto second = [&](const Step& step, uint32_t i) RAYSWEEP_STEP {
       const WordLanes children =
-          hn::Load(dw, reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
+          hn::Load(dw, reinterpret_cast<const uint32_t*>(step.node + offsetof(Node, children)));
       if constexpr (any) {
-        stacks.push(slot, children, met);
+        stacks.push(*step.slot, children, step.met);
       } else {
-        const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(node + slot.near_plane[3]);
-        stacks.push_in_order(slot, children, enter, met, far_to_near);
+        const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(step.node + step.slot->order);
+        stacks.push_in_order(*step.slot, children, step.met, far_to_near);
       }
-      wanted[i] = slot.current;
-    }
+      wanted[i] = step.slot->current;
+    };
+    in_two_steps<2>(count, first, second);
     lists_.add(now, count);
   }
 
@@ -131,17 +171,21 @@ class Stream {
     const uint32_t* const leaves = lists_.leaves.slots;
     uint32_t* const wanted = lists_.wanted;
     const Stacks stacks = stacks_;
-    for (size_t i = 0; i < count; ++i) {
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
-      const uint32_t index = child_index(slot.current);
-      const Block& block = blocks[index];
+      const Block& block = blocks[child_index(slot.current)];
       RAYSWEEP_COUNT(count_, Visited::ray_test, block.count);
       const auto& axes = axes_of<Method>(slot.longest_axis);
       const auto by_axes = [&](const float* v)
                                HWY_ATTR { return broadcast(Floats(), v[axes[0]], v[axes[1]], v[axes[2]]); };
-      const auto found =
-          solve(Method{}, d, by_axes(shears<Method> ? slot.shear : slot.direction),
-                seen_from(Method{}, by_axes(slot.origin), prepare(Method{}, corners_of(block, axes))));
+      return project(Method{}, by_axes(shears<Method> ? slot.shear : slot.direction),
+                     seen_from(Method{}, by_axes(slot.origin), prepare(Method{}, corners_of(block, axes))));
+    };
+    const auto second = [&](const auto& projected, uint32_t i) RAYSWEEP_STEP {
+      Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
+      const uint32_t index = child_index(slot.current);
+      const Block& block = blocks[index];
+      const auto found = divide(d, projected);
       // Every lane of a block of spheres is a candidate.
       const uint32_t spheres = 0u - ((slot.current >> 30) & 1);
       const LaneMask hits = is_hit(d, found);
@@ -150,25 +194,35 @@ class Stream {
                 slot.distances);
       slot.block = index;
       stacks.leave_block(slot, block.more);
-      wanted[i] = candidates != 0 ? candidate : slot.current;
-    }
+      // Not by a condition: compilers make a branch of it, which nobody can guess.
+      static_assert(candidate == ~0u);
+      wanted[i] = slot.current | (0u - static_cast<uint32_t>(candidates != 0));
+    };
+    in_two_steps<1>(count, first, second);
     lists_.add(leaves, count);
   }
 
   HWY_NOINLINE HWY_ATTR void look_at_candidates() {
     const uint32_t count = std::exchange(lists_.candidates.count, 0);
     cycles_ += count * StepCosts::ray_look;
-    for (uint32_t i = 0; i < count; ++i) lists_.wanted[i] = look_at(lists_.candidates.slots[i]);
+    const auto first = [&](uint32_t i)
+                           RAYSWEEP_STEP { return nearest_of(slot_at(lists_.candidates.slots[i])); };
+    const auto second = [&](const Hit<float>& hit, uint32_t i) RAYSWEEP_STEP {
+      lists_.wanted[i] = keep(hit, slot_at(lists_.candidates.slots[i]));
+    };
+    in_two_steps<1>(count, first, second);
     lists_.add(lists_.candidates.slots, count);
   }
 
-  /// What the ray needs next.
-  HWY_INLINE WideChild look_at(uint32_t offset) {
+  HWY_INLINE Hit<float> nearest_of(const Slot& slot) const {
     RAYSWEEP_COUNT(count_, Visited::ray_look);
-    Slot& slot = slot_at(offset);
     const Block& block = blocks_[slot.block];
-    const Hit<float> hit = block.id[0] < primitives_.first_triangle() ? nearest_sphere(slot, block)
-                                                                      : nearest_of_block(slot, block);
+    return block.id[0] < primitives_.first_triangle() ? nearest_sphere(slot, block)
+                                                      : nearest_of_block(slot, block);
+  }
+
+  /// What the ray needs next.
+  HWY_INLINE WideChild keep(const Hit<float>& hit, Slot& slot) const {
     if (any ? hit.t < slot.t : hit.before({slot.t, slot.id})) {
       slot.t = hit.t;
       slot.id = hit.id;
@@ -176,7 +230,7 @@ class Stream {
         slot.current = sentinel;
       } else {
         slot.limit = slot.t * widening;
-        stacks_.shorten_after_block(slot, slot.limit, block.more);
+        stacks_.shorten_after_block(slot, slot.limit, blocks_[slot.block].more);
       }
     }
     return slot.current;
@@ -185,14 +239,15 @@ class Stream {
   /// The first hit of the block's candidates.
   HWY_INLINE Hit<float> nearest_of_block(const Slot& slot, const Block& block) const {
     if (slot.is_flat != 0) return nearest_of_flat(slot, block);
-    const auto of = [](const float* v) { return Vec3f(v[0], v[1], v[2]); };
+    const Axes d;
     return nearest_triangle(primitives_, block,
-                            RayNumbers{of(slot.origin), of(slot.direction), of(slot.reciprocal)},
+                            OneRay{hn::Load(d, slot.origin), hn::Load(d, slot.direction),
+                                   hn::Load(d, slot.reciprocal), slot.longest_axis},
                             slot.distances);
   }
 
   /// The same of a flat ray.
-  HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
+  HWY_NOINLINE HWY_ATTR Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
     const FloatLanes infinity = hn::Set(Floats(), std::numeric_limits<float>::infinity());
     const LaneMask is_miss = hn::Eq(hn::Load(Floats(), slot.distances), infinity);
     const RayOfSlot ray(slot);
@@ -200,7 +255,7 @@ class Stream {
                               Hit<float>::none());
   }
 
-  HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
+  HWY_NOINLINE HWY_ATTR Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
     const RayOfSlot ray(slot);
     Hit<float> nearest = Hit<float>::none();
     for (uint32_t lane = 0; lane < block.count; ++lane) {
@@ -208,13 +263,6 @@ class Stream {
       if (t && Hit<float>{*t, block.id[lane]}.before(nearest)) nearest = {*t, block.id[lane]};
     }
     return nearest;
-  }
-
-  HWY_INLINE void end(uint32_t offset) {
-    const Slot& slot = slot_at(offset);
-    hits_.t[slot.ray] = slot.t;
-    hits_.id[slot.ray] = slot.id;
-    if (chooser_.has_next()) begin(offset);
   }
 
   const Primitives<float, Method>& primitives_;
@@ -227,7 +275,7 @@ class Stream {
   RayLists lists_;
   uint64_t cycles_ = 0;  // that it took so far, about
   [[no_unique_address]] const VisitCounter count_;
-  Chooser<any> chooser_;
+  RayLoader<Method, any> loader_;
 };
 
 }  // namespace HWY_NAMESPACE

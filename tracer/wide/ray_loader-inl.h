@@ -1,0 +1,236 @@
+// Single rays loaded, as many at once as vectors have lanes.
+#if defined(RAYSWEEP_WIDE_RAY_LOADER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYSWEEP_WIDE_RAY_LOADER_INL_H_
+#undef RAYSWEEP_WIDE_RAY_LOADER_INL_H_
+#else
+#define RAYSWEEP_WIDE_RAY_LOADER_INL_H_
+#endif
+
+#include <tuple>
+
+#include "tracer/wide/ray_setup-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raysweep {
+namespace HWY_NAMESPACE {
+
+/// Stores x, y, z and w of each lane in its slot: the four numbers that begin at `field`.
+template <class D, class Field>
+HWY_INLINE void store_by_slot(D d, char* slots, const uint32_t* offsets, Field Slot::*field, hn::Vec<D> x,
+                              hn::Vec<D> y, hn::Vec<D> z, hn::Vec<D> w) {
+  const auto at = [&](size_t lane) HWY_ATTR {
+    return reinterpret_cast<float*>(&(reinterpret_cast<Slot*>(slots + offsets[lane])->*field));
+  };
+  const auto xz_low = hn::InterleaveLower(d, x, z), xz_high = hn::InterleaveUpper(d, x, z),
+             yw_low = hn::InterleaveLower(d, y, w), yw_high = hn::InterleaveUpper(d, y, w);
+  const hn::Vec<D> rows[4] = {hn::InterleaveLower(d, xz_low, yw_low), hn::InterleaveUpper(d, xz_low, yw_low),
+                              hn::InterleaveLower(d, xz_high, yw_high),
+                              hn::InterleaveUpper(d, xz_high, yw_high)};
+  for (size_t i = 0; i < 4; ++i) {
+    if constexpr (hn::MaxLanes(D()) == 4) {
+      hn::Store(rows[i], Axes(), at(i));
+    } else {
+      hn::Store(hn::LowerHalf(Axes(), rows[i]), Axes(), at(i));
+      hn::Store(hn::UpperHalf(Axes(), rows[i]), Axes(), at(i + 4));
+    }
+  }
+}
+
+/// Chooses rays of a batch that may meet something, from the groups of `packet_size` that `scratch` lists,
+/// and makes them ready.
+template <class Method, bool any>
+class RayLoader {
+ public:
+  HWY_INLINE RayLoader(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds,
+                       KernelScratch& scratch)
+      : rays_(rays),
+        hits_(hits),
+        bounds_(bounds),
+        flat_axes_(bounds),
+        groups_(scratch.groups),
+        left_over_(scratch.left_over) {}
+
+  /// Of all groups, of which only the last may lack some.
+  HWY_INLINE size_t ray_count() const {
+    if (groups_.empty()) return 0;
+    return (groups_.size() - 1) * packet_size + std::min(packet_size, rays_.size - groups_.back());
+  }
+
+  /// Whether some rays were not looked at.
+  [[nodiscard]] HWY_INLINE bool has_next() const { return next_ < groups_.size() * packet_size; }
+
+  /// Looks at the next `lane_count` rays, and loads those that may meet something into the first of as many
+  /// slots, whose others are lost; how many. Rays that miss the box around everything are done: most rays of
+  /// an open scene, and so many at a time cost little.
+  HWY_INLINE uint32_t load_next(char* slots, const uint32_t* offsets) {
+    const size_t first = groups_[next_ / packet_size] + next_ % packet_size;
+    next_ += lane_count;
+    if (first >= rays_.size) return 0;
+    const Rays rays = load(first);
+    const LaneMask chosen = choose(rays, first);
+    if (hn::AllFalse(Floats(), chosen)) return 0;
+    const Compaction keep(chosen);
+    store(rays, keep, slots, offsets);
+    return keep.count();
+  }
+
+ private:
+  /// What a ray's way to a plane across an axis is computed from: plane·reciprocal + offset ± error.
+  struct Along {
+    FloatLanes reciprocal, offset, error;
+    LaneMask is_flat;
+  };
+  struct Rays {
+    Lanes3<Floats> origin, direction;
+    Along x, y, z;
+    FloatLanes t;
+    WordLanes id, number;
+
+    [[nodiscard]] HWY_INLINE LaneMask are_flat() const {
+      return hn::Or(x.is_flat, hn::Or(y.is_flat, z.is_flat));
+    }
+  };
+  struct Meets {
+    LaneMask some, is_regular;
+  };
+
+  [[nodiscard]] HWY_INLINE Rays load(size_t first) const {
+    const Lanes3<Floats> origin = load_at(rays_.origin_x, rays_.origin_y, rays_.origin_z, first),
+                         direction = load_at(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
+    return {origin,
+            direction,
+            along(origin.x, direction.x),
+            along(origin.y, direction.y),
+            along(origin.z, direction.z),
+            hn::Load(Floats(), hits_.t.data() + first),
+            hn::Load(Words(), hits_.id.data() + first),
+            count_from(static_cast<uint32_t>(first))};
+  }
+
+  /// Those that may meet something. Others that are not regular are left over.
+  [[nodiscard]] HWY_INLINE LaneMask choose(const Rays& rays, size_t first) {
+    const Floats d;
+    const Words dw;
+    LaneMask is_there =
+        hn::RebindMask(d, hn::Lt(rays.number, hn::Set(dw, static_cast<uint32_t>(rays_.size))));
+    // What something hides already is done.
+    if constexpr (any)
+      is_there = hn::And(is_there, hn::RebindMask(d, hn::Eq(rays.id, hn::Set(dw, no_hit_id))));
+    const Meets meets = meets_scene(rays);
+    for (uint32_t left = bits_of(hn::AndNot(meets.is_regular, is_there)); left != 0; left &= left - 1)
+      left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));
+    return hn::And(hn::And(meets.some, meets.is_regular), is_there);
+  }
+
+  HWY_INLINE static void store(const Rays& rays, const Compaction& keep, char* slots,
+                               const uint32_t* offsets) {
+    const Floats d;
+    const Words dw;
+    const auto set = [&](auto field, FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes more)
+                         HWY_ATTR { store_by_slot(Floats(), slots, offsets, field, x, y, z, more); };
+    const auto number = [](auto v) HWY_ATTR { return hn::BitCast(Floats(), v); };
+    const auto kept = [&keep](const Lanes3<Floats>& v) HWY_ATTR {
+      return Lanes3<Floats>{keep(v.x), keep(v.y), keep(v.z)};
+    };
+    const auto& [x, y, z] = std::tie(rays.x, rays.y, rays.z);
+    const Lanes3<Floats> origin = kept(rays.origin), direction = kept(rays.direction),
+                         reciprocal = kept({x.reciprocal, y.reciprocal, z.reciprocal}),
+                         near = kept({hn::Sub(x.offset, x.error), hn::Sub(y.offset, y.error),
+                                      hn::Sub(z.offset, z.error)}),
+                         far = kept({hn::Add(x.offset, x.error), hn::Add(y.offset, y.error),
+                                     hn::Add(z.offset, z.error)});
+    FloatLanes longest_axis = hn::Zero(d);
+    if constexpr (shears<Method>) {
+      const LongestAxis<Floats> axis(direction);
+      const FloatLanes which = axis.number(), inverse = hn::Div(hn::Set(d, 1.0f), axis.of(direction));
+      const auto shear = [&](FloatLanes v, float number_of) HWY_ATTR {
+        return hn::IfThenElse(hn::Eq(which, hn::Set(Floats(), number_of)), inverse, hn::Mul(v, inverse));
+      };
+      set(&Slot::shear, shear(direction.x, 0), shear(direction.y, 1), shear(direction.z, 2), inverse);
+      longest_axis = number(hn::ConvertTo(hn::RebindToSigned<Floats>(), which));
+    }
+    const auto falls = [](FloatLanes v) HWY_ATTR { return hn::ShiftRight<31>(hn::BitCast(Words(), v)); };
+    const WordLanes falls_x = falls(direction.x), falls_y = falls(direction.y), falls_z = falls(direction.z),
+                    octant = hn::Add(falls_x, hn::Add(hn::ShiftLeft<1>(falls_y), hn::ShiftLeft<2>(falls_z)));
+    constexpr int row_bits = lane_count == 8 ? 5 : 4;
+    static_assert(lane_count * sizeof(float) == 1u << row_bits);
+    const auto plane = [&](uint32_t row, WordLanes rows_up) HWY_ATTR {
+      return number(hn::Add(hn::Set(Words(), row << row_bits), hn::ShiftLeft<row_bits>(rows_up)));
+    };
+    constexpr auto orders = static_cast<uint32_t>(offsetof(WideNode<lane_count>, far_to_near));
+    const FloatLanes t = keep(rays.t);
+    set(&Slot::reciprocal, reciprocal.x, reciprocal.y, reciprocal.z, reciprocal.x);
+    set(&Slot::near_offset, near.x, near.y, near.z, keep(hn::VecFromMask(d, rays.are_flat())));
+    set(&Slot::far_offset, far.x, far.y, far.z, longest_axis);
+    set(&Slot::near_plane, plane(0, falls_x), plane(2, falls_y), plane(4, falls_z),
+        number(hn::Add(hn::Set(dw, orders), hn::ShiftLeft<2>(octant))));
+    set(&Slot::limit, hn::Mul(t, hn::Set(d, widening)), t, number(keep(rays.id)), number(keep(rays.number)));
+    set(&Slot::origin, origin.x, origin.y, origin.z, origin.x);
+    set(&Slot::direction, direction.x, direction.y, direction.z, direction.x);
+  }
+
+  [[nodiscard]] HWY_INLINE Along along(FloatLanes from, FloatLanes direction) const {
+    const Floats d;
+    const LaneMask is_flat = hn::Lt(hn::Abs(direction), hn::Set(d, regular_low));
+    const FloatLanes reciprocal =
+        hn::IfThenElse(is_flat, hn::CopySign(hn::Set(d, flat_axes_.reciprocal()), direction),
+                       hn::Div(hn::Set(d, 1.0f), direction));
+    const FloatLanes offset = hn::Neg(hn::Mul(from, reciprocal));
+    return {reciprocal, offset,
+            hn::IfThenElse(is_flat, hn::Set(d, FlatAxes::way),
+                           hn::MulAdd(hn::Abs(offset), hn::Set(d, offset_error), hn::Set(d, smallest))),
+            is_flat};
+  }
+
+  /// Which rays meet the box around everything. As in Slot, offsets are moved to the safe side, here by
+  /// 8u|c|: product and sum are rounded apart.
+  [[nodiscard]] HWY_INLINE Meets meets_scene(const Rays& rays) const {
+    const Floats d;
+    FloatLanes enter = hn::Zero(d), leave = rays.t, flat_way = hn::Zero(d);
+    const FloatLanes beside = hn::Set(d, flat_axes_.beside());
+    LaneMask is_regular = hn::Eq(enter, enter), is_beside = hn::Ne(enter, enter);
+    const auto cut = [&](FloatLanes from, FloatLanes direction_of, const Along& way, float lower,
+                         float upper) HWY_ATTR {
+      const FloatLanes size = hn::Abs(direction_of), high = hn::Set(Floats(), regular_high);
+      is_regular = hn::And(is_regular, hn::And(hn::Le(size, high), hn::Le(hn::Abs(from), high)));
+      flat_way = hn::Max(flat_way, hn::IfThenElseZero(way.is_flat, size));
+      const LaneMask is_outside = hn::Or(hn::Lt(from, hn::Sub(hn::Set(Floats(), lower), beside)),
+                                         hn::Gt(from, hn::Add(hn::Set(Floats(), upper), beside)));
+      is_beside = hn::Or(is_beside, hn::And(way.is_flat, is_outside));
+      const FloatLanes a = hn::Mul(hn::Set(Floats(), lower), way.reciprocal),
+                       b = hn::Mul(hn::Set(Floats(), upper), way.reciprocal);
+      const FloatLanes slack = hn::Add(way.error, way.error);
+      const FloatLanes first = hn::Sub(hn::Add(hn::Min(a, b), way.offset), slack),
+                       last = hn::Add(hn::Add(hn::Max(a, b), way.offset), slack);
+      enter = hn::IfThenElse(way.is_flat, enter, hn::Max(enter, first));
+      leave = hn::IfThenElse(way.is_flat, leave, hn::Min(leave, last));
+    };
+    const auto& [from, along] = std::tie(rays.origin, rays.direction);
+    cut(from.x, along.x, rays.x, bounds_.lower().x, bounds_.upper().x);
+    cut(from.y, along.y, rays.y, bounds_.lower().y, bounds_.upper().y);
+    cut(from.z, along.z, rays.z, bounds_.lower().z, bounds_.upper().z);
+    is_regular =
+        hn::AndNot(hn::AndNot(flat_axes_.are_manageable(leave, flat_way), rays.are_flat()), is_regular);
+    return {hn::AndNot(is_beside, hn::Le(enter, hn::Mul(leave, hn::Set(d, widening)))), is_regular};
+  }
+
+  HWY_INLINE static Lanes3<Floats> load_at(const LaneArray<float>& x, const LaneArray<float>& y,
+                                           const LaneArray<float>& z, size_t first) {
+    const Floats d;
+    return {hn::Load(d, x.data() + first), hn::Load(d, y.data() + first), hn::Load(d, z.data() + first)};
+  }
+
+  const RayBatch& rays_;
+  const HitBatch& hits_;
+  const Box<float>& bounds_;
+  const FlatAxes flat_axes_;
+  const std::vector<uint32_t>& groups_;
+  std::vector<uint32_t>& left_over_;
+  size_t next_ = 0;  // number, in all groups, of the first ray not looked at
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raysweep
+HWY_AFTER_NAMESPACE();
+
+#endif
