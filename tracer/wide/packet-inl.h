@@ -167,54 +167,28 @@ HWY_INLINE OneRay ray_of(const Packet& packet, size_t i) {
           shears<Method> ? static_cast<uint32_t>(packet.axes[i]) : 0};
 }
 
-/// What a method knows of all rays and one triangle before it divides.
-template <class Of>
-struct OfAllRays {
-  Of rays[packet_size / rays_at_once];
-};
-
-/// One triangle of `rows`.
+/// What a method knows of the rays in lanes from `at` on and one triangle of `rows` before it divides.
 template <class Method, bool has_one_origin>
-HWY_INLINE auto project_all(const Packet& packet, const BlockRows& rows, size_t lane) {
+HWY_INLINE auto project_rays(const Packet& packet, size_t at, const BlockRows& rows, size_t lane) {
   const RayTag d;
   using Prepared = decltype(prepare(Method{}, Corners<RayTag>{}));
   using Seen = decltype(seen_from(Method{}, Lanes3<RayTag>{}, Prepared{}));
   const auto vectors = rows.template vectors<std::conditional_t<has_one_origin, Seen, Prepared>>(lane);
-  const auto& axes = axes_of<Method>(packet.longest_axis);
-  OfAllRays<decltype(project(Method{}, Lanes3<RayTag>{}, Seen{}))> projected;
-  for (size_t at = 0; at < packet_size; at += rays_at_once) {
-    Seen seen;
-    if constexpr (has_one_origin) {
-      seen = vectors;
-    } else {
-      const auto& from = packet.origin;
-      seen = seen_from(Method{},
-                       Lanes3<RayTag>{hn::Load(d, from[axes[0]] + at), hn::Load(d, from[axes[1]] + at),
-                                      hn::Load(d, from[axes[2]] + at)},
-                       vectors);
-    }
-    if constexpr (shears<Method>) {
-      if (packet.has_one_axis == 0) seen = AxisSwap<RayTag>(hn::Load(d, packet.axes + at))(seen);
-    }
-    projected.rays[at / rays_at_once] =
-        project(Method{}, load_rays(shears<Method> ? packet.shear : packet.direction, at), seen);
+  Seen seen;
+  if constexpr (has_one_origin) {
+    seen = vectors;
+  } else {
+    const auto& axes = axes_of<Method>(packet.longest_axis);
+    const auto& from = packet.origin;
+    seen = seen_from(Method{},
+                     Lanes3<RayTag>{hn::Load(d, from[axes[0]] + at), hn::Load(d, from[axes[1]] + at),
+                                    hn::Load(d, from[axes[2]] + at)},
+                     vectors);
   }
-  return projected;
-}
-
-/// Where rays meet the triangle; whether any does. Infinity: not met.
-template <class Projected>
-HWY_INLINE bool divide_all(const Projected& projected, float* distances) {
-  const RayTag d;
-  RayMask is_met = hn::FirstN(d, 0);
-  for (size_t at = 0; at < packet_size; at += rays_at_once) {
-    const auto found = divide(d, projected.rays[at / rays_at_once]);
-    const RayMask hit = is_hit(d, found);
-    hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
-              distances + at);
-    is_met = hn::Or(is_met, hit);
+  if constexpr (shears<Method>) {
+    if (packet.has_one_axis == 0) seen = AxisSwap<RayTag>(hn::Load(d, packet.axes + at))(seen);
   }
-  return !hn::AllFalse(d, is_met);
+  return project(Method{}, load_rays(shears<Method> ? packet.shear : packet.direction, at), seen);
 }
 
 /// Keeps hits that are nearer than the rays' own, or, of any, ends the rays.

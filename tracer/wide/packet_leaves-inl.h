@@ -109,19 +109,27 @@ class PacketLeaves {
 
   template <bool have_one_origin>
   HWY_NOINLINE HWY_ATTR uint32_t test_together(const uint32_t* offsets, uint32_t count) {
-    uint32_t met = 0;
+    constexpr uint32_t parts = packet_size / rays_at_once;
+    uint32_t met = 0, is_met = 0;
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
-      const uint32_t test = tests_[i];
+      const uint32_t test = tests_[i / parts];
       const Packet& packet = packet_at(offsets[test / lane_count]);
       const BlockRows& rows = rows_[test / lane_count];
-      return project_all<Method, have_one_origin>(packet, rows, test % lane_count);
+      return project_rays<Method, have_one_origin>(packet, i % parts * rays_at_once, rows, test % lane_count);
     };
     const auto second = [&](const auto& projected, uint32_t i) RAYSWEEP_STEP {
+      const RayTag d;
+      const auto found = divide(d, projected);
+      const RayMask hit = is_hit(d, found);
+      hn::Store(hn::IfThenElse(hit, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
+                distances_ + met * packet_size + i % parts * rays_at_once);
+      is_met |= hn::AllFalse(d, hit) ? 0 : 1;
+      if (i % parts != parts - 1) return;
       RAYSWEEP_COUNT(count_, Visited::packet_test);
-      candidates_[met] = tests_[i];
-      met += divide_all(projected, distances_ + met * packet_size) ? 1 : 0;
+      candidates_[met] = tests_[i / parts];
+      met += std::exchange(is_met, 0);
     };
-    in_two_steps<rays_at_once == packet_size ? 2 : 1>(count, first, second);
+    in_two_steps<2>(count * parts, first, second);
     return met;
   }
 
@@ -135,6 +143,7 @@ class PacketLeaves {
     const Lanes3<RayTag> normal = spread(block.normal, lane);
     RAYSWEEP_COUNT(count_, Visited::packet_look);
     const LaneBoxes<RayTag> boxes = rows_[test / lane_count].box(lane);
+    uint32_t undecided = 0;
     for (size_t at = 0; at < packet_size; at += rays_at_once) {
       const RayLanes t = hn::Load(d, distances + at);
       const AcceptedHits<RayTag> hits =
@@ -142,15 +151,14 @@ class PacketLeaves {
                  load_rays(packet.reciprocal, at), boxes, corners, normal, t);
       const RayMask is_candidate = hn::Lt(t, hn::Set(d, std::numeric_limits<float>::infinity()));
       keep<any>(packet, at, hits.t, hn::And(is_candidate, hits.accepted), block.id[lane]);
+      if constexpr (Method::is_watertight) undecided |= bits_of(hn::IsNaN(t)) << at;
     }
-    if constexpr (Method::is_watertight) {
-      for (size_t i = 0; i < packet_size; ++i)
-        if (std::isnan(distances[i])) decide(packet, i, block.id[lane]);
-    }
+    for (; undecided != 0; undecided &= undecided - 1)
+      decide(packet, hwy::Num0BitsBelowLS1Bit_Nonzero32(undecided), block.id[lane]);
   }
 
   /// Whether ray `i` meets a triangle of which lanes cannot tell.
-  HWY_INLINE void decide(Packet& packet, size_t i, uint32_t id) {
+  HWY_NOINLINE HWY_ATTR void decide(Packet& packet, size_t i, uint32_t id) {
     const OneRay ray = ray_of<Method>(packet, i);
     const auto t = primitives_.accept_triangle(id, std::numeric_limits<float>::quiet_NaN(), ray.ray(),
                                                ray.slab_ray(), Hit<float>::start());

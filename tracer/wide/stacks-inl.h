@@ -35,10 +35,13 @@ struct StackPlace {
 
 class Stacks {
  public:
-  /// Entries that one stack may need: a vector's store at its top reaches past it.
+  /// Entries that one stack may need, and a vector's store at its top or one read at its end reach past.
+  /// Stacks begin cache lines, so that most of them never leave their first ones; of an odd number each,
+  /// which spreads them.
   template <class Tree>
   HWY_INLINE static size_t size_for(const Tree& tree) {
-    return padded_to_lanes(tree.stack_size() + 3 * lane_count);
+    constexpr size_t line = 64 / sizeof(WideChild);
+    return ((tree.stack_size() + 3 * lane_count + line - 1) / line | 1) * line;
   }
   static constexpr size_t entry_bytes = sizeof(WideChild) + sizeof(float);
 

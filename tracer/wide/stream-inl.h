@@ -205,20 +205,46 @@ class Stream {
   HWY_NOINLINE HWY_ATTR void look_at_candidates() {
     const uint32_t count = std::exchange(lists_.candidates.count, 0);
     cycles_ += count * StepCosts::ray_look;
-    const auto first = [&](uint32_t i)
-                           RAYSWEEP_STEP { return nearest_of(slot_at(lists_.candidates.slots[i])); };
-    const auto second = [&](const Hit<float>& hit, uint32_t i) RAYSWEEP_STEP {
-      lists_.wanted[i] = keep(hit, slot_at(lists_.candidates.slots[i]));
+    const auto first = [&](uint32_t i) RAYSWEEP_STEP { return look_at(slot_at(lists_.candidates.slots[i])); };
+    const auto second = [&](const Look& look, uint32_t i) RAYSWEEP_STEP {
+      Slot& slot = slot_at(lists_.candidates.slots[i]);
+      lists_.wanted[i] =
+          keep(look.is_plain ? Hit<float>{accepted_at(look.hit), look.id} : nearest_of(slot), slot);
     };
     in_two_steps<1>(count, first, second);
     lists_.add(lists_.candidates.slots, count);
   }
 
-  HWY_INLINE Hit<float> nearest_of(const Slot& slot) const {
+  /// Nearly always a ray hits one triangle of a block: what decides on the first.
+  struct Look {
+    FoundHit hit;
+    uint32_t id;
+    bool is_plain;
+  };
+
+  HWY_INLINE Look look_at(const Slot& slot) const {
     RAYSWEEP_COUNT(count_, Visited::ray_look);
     const Block& block = blocks_[slot.block];
-    return block.id[0] < primitives_.first_triangle() ? nearest_sphere(slot, block)
-                                                      : nearest_of_block(slot, block);
+    const uint32_t hits = hits_at(slot.distances),
+                   others = (hits & (hits - 1)) | (Method::is_watertight ? undecided_at(slot.distances) : 0) |
+                            slot.is_flat;
+    const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(hits | 1u << (lane_count - 1));
+    return {examine<Method>(ray_of(slot), block, lane, slot.distances[lane]), block.id[lane],
+            hits != 0 && others == 0 && block.id[0] >= primitives_.first_triangle()};
+  }
+
+  HWY_INLINE static OneRay ray_of(const Slot& slot) {
+    const Axes d;
+    return {hn::Load(d, slot.origin), hn::Load(d, slot.direction), hn::Load(d, slot.reciprocal),
+            slot.longest_axis};
+  }
+
+  /// The first hit of the block's candidates, whatever they are.
+  HWY_NOINLINE HWY_ATTR Hit<float> nearest_of(const Slot& slot) const {
+    const Block& block = blocks_[slot.block];
+    if (block.id[0] < primitives_.first_triangle()) return nearest_sphere(slot, block);
+    if (slot.is_flat != 0) return nearest_of_flat(slot, block);
+    return nearest_triangle(primitives_, block, ray_of(slot), slot.distances);
   }
 
   /// What the ray needs next.
@@ -236,26 +262,13 @@ class Stream {
     return slot.current;
   }
 
-  /// The first hit of the block's candidates.
-  HWY_INLINE Hit<float> nearest_of_block(const Slot& slot, const Block& block) const {
-    if (slot.is_flat != 0) return nearest_of_flat(slot, block);
-    const Axes d;
-    return nearest_triangle(primitives_, block,
-                            OneRay{hn::Load(d, slot.origin), hn::Load(d, slot.direction),
-                                   hn::Load(d, slot.reciprocal), slot.longest_axis},
-                            slot.distances);
-  }
-
-  /// The same of a flat ray.
-  HWY_NOINLINE HWY_ATTR Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
-    const FloatLanes infinity = hn::Set(Floats(), std::numeric_limits<float>::infinity());
-    const LaneMask is_miss = hn::Eq(hn::Load(Floats(), slot.distances), infinity);
+  HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
     const RayOfSlot ray(slot);
-    return nearest_one_by_one(primitives_, block, ray.ray, ray.slab_ray, slot.distances, hn::Not(is_miss),
-                              Hit<float>::none());
+    return nearest_one_by_one(primitives_, block, ray.ray, ray.slab_ray, slot.distances,
+                              hits_at(slot.distances) | undecided_at(slot.distances), Hit<float>::none());
   }
 
-  HWY_NOINLINE HWY_ATTR Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
+  HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
     const RayOfSlot ray(slot);
     Hit<float> nearest = Hit<float>::none();
     for (uint32_t lane = 0; lane < block.count; ++lane) {
