@@ -70,7 +70,7 @@ class RayLoader {
     const LaneMask chosen = choose(rays, first);
     if (hn::AllFalse(Floats(), chosen)) return 0;
     const Compaction keep(chosen);
-    store(rays, keep, slots, offsets);
+    set_slots(rays, keep, slots, offsets);
     return keep.count();
   }
 
@@ -122,8 +122,8 @@ class RayLoader {
     return hn::And(hn::And(meets.some, meets.is_regular), is_there);
   }
 
-  HWY_INLINE static void store(const Rays& rays, const Compaction& keep, char* slots,
-                               const uint32_t* offsets) {
+  HWY_INLINE static void set_slots(const Rays& rays, const Compaction& keep, char* slots,
+                                   const uint32_t* offsets) {
     const Floats d;
     const Words dw;
     const auto set = [&](auto field, FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes more)
