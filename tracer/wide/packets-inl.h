@@ -142,11 +142,8 @@ class Packets {
       Packet& packet = packet_at(popped.packets[i]);
       const ChildPlace at(packet.current);
       packet.child = nodes[at.node].children[at.lane];
-      packet.block = child_index(packet.child);
       const VisitChoice& choice = untested_visits[2 * is_at_end(packet) + (packet.child >> 31)];
-      packet.cost += choice.cost;
-      kinds[i] = choice.kind;
-      if (fetches_) fetch(nodes, blocks, packet.child);
+      kinds[i] = go_to_child(nodes, blocks, packet, choice);
       RAYSWEEP_COUNT(count_, Visited::packet_child, 1 - is_at_end(packet));
     }
     lists_.sort(popped, {Kind::ended, Kind::node_of_many, Kind::leaf_of_many});
@@ -161,27 +158,32 @@ class Packets {
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Packet& packet = packet_at(popped.packets[i]);
       const ChildPlace at(packet.current);
-      const auto& bounds = nodes[at.node].bounds;
       packet.child = nodes[at.node].children[at.lane];
+      const auto& bounds = nodes[at.node].bounds;
       return rays_that_meet(packet,
                             [&](size_t axis, size_t side) HWY_ATTR { return bounds[axis][side][at.lane]; });
     };
     const auto second = [&](uint32_t active, uint32_t i) RAYSWEEP_STEP {
       Packet& packet = packet_at(popped.packets[i]);
       packet.active = active;
-      packet.block = child_index(packet.child);
-      const VisitChoice& choice =
-          tested_visits[4 * is_at_end(packet) + (packet.child >> 30)][hwy::PopCount(packet.active)];
-      packet.cost += choice.cost;
-      kinds[i] = choice.kind;
-      if (fetches_) fetch(nodes, blocks, packet.child);
+      const auto& choices = tested_visits[4 * is_at_end(packet) + (packet.child >> 30)];
+      kinds[i] = go_to_child(nodes, blocks, packet, choices[hwy::PopCount(active)]);
       RAYSWEEP_COUNT(count_, Visited::packet_box, 1 - is_at_end(packet));
     };
     in_two_steps<1>(popped.count, first, second);
     lists_.sort(popped, {Kind::popped, Kind::ended, Kind::node_of_many, Kind::node_of_few, Kind::leaf_of_many,
                          Kind::leaf_of_few});
-    const uint32_t* const missed = lists_.packets(Kind::popped);
-    for (uint32_t i = 0; i < lists_.count(Kind::popped); ++i) stacks_.pop(packet_at(missed[i]));
+    for (uint32_t i = 0; i < lists_.count(Kind::popped); ++i)
+      stacks_.pop(packet_at(lists_.packets(Kind::popped)[i]));
+  }
+
+  /// What the packet is to do about its child.
+  HWY_INLINE uint32_t go_to_child(const Node* nodes, const Block* blocks, Packet& packet,
+                                  const VisitChoice& choice) const {
+    packet.block = child_index(packet.child);
+    packet.cost += choice.cost;
+    if (fetches_) fetch(nodes, blocks, packet.child);
+    return choice.kind;
   }
 
   HWY_INLINE static uint32_t is_at_end(const Packet& packet) { return packet.top == packet.bottom ? 1 : 0; }
@@ -235,22 +237,20 @@ class Packets {
     const auto visits = lists_.take(Kind::node_of_many);
     struct Step {
       Packet* packet;
-      const Node* node;
+      const char* node;
       FloatLanes enter;
     };
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Packet& packet = packet_at(visits.packets[i]);
-      const Node& node = nodes_[packet.child];
-      const auto* const bytes = reinterpret_cast<const char*>(&node);
-      const Meeting meeting = packet.beam.meet([bytes](size_t at) HWY_ATTR {
-        return hn::Load(Floats(), reinterpret_cast<const float*>(bytes + at));
-      });
-      return Step{&packet, &node, meeting.enter_if_met()};
+      const auto* const node = reinterpret_cast<const char*>(nodes_ + packet.child);
+      const auto plane = [node](size_t at) HWY_ATTR {
+        return hn::Load(Floats(), reinterpret_cast<const float*>(node + at));
+      };
+      return Step{&packet, node, packet.beam.meet(plane).enter_if_met()};
     };
     const auto second = [&](const Step& step, uint32_t) RAYSWEEP_STEP {
-      const auto* const bytes = reinterpret_cast<const char*>(step.node);
-      push(*step.packet, *step.node, step.enter,
-           *reinterpret_cast<const uint32_t*>(bytes + step.packet->beam.order));
+      push(*step.packet, *reinterpret_cast<const Node*>(step.node), step.enter,
+           *reinterpret_cast<const uint32_t*>(step.node + step.packet->beam.order));
       RAYSWEEP_COUNT(count_, Visited::packet_node);
     };
     in_two_steps<1>(visits.count, first, second);

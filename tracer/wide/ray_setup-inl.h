@@ -55,6 +55,26 @@ struct RayOfSlot {
 inline constexpr float offset_error = 4 * unit_roundoff<float>, smallest = 0x1p-120f, widening = 1 + 0x1p-19f;
 inline constexpr float regular_high = 0x1p60f, regular_low = 0x1p-60f;
 
+/// Children of the wide node at `node` that the ray of a slot meets.
+HWY_INLINE Meeting meet_of_ray(const Slot& slot, const char* node) {
+  const Floats d;
+  const auto meet = [&](size_t at, int axis, const float* offsets) HWY_ATTR {
+    const Floats df;
+    return hn::MulAdd(hn::Load(df, reinterpret_cast<const float*>(node + at)),
+                      hn::Set(df, slot.reciprocal[axis]), hn::Set(df, offsets[axis]));
+  };
+  const size_t x = slot.near_plane[0], y = slot.near_plane[1], z = slot.near_plane[2];
+  const FloatLanes enter = hn::Max(hn::Max(meet(x, 0, slot.near_offset), meet(y, 1, slot.near_offset)),
+                                   hn::Max(meet(z, 2, slot.near_offset), hn::Zero(d)));
+  // Rows of lower and upper planes take turns: the far one's place differs by one bit.
+  constexpr size_t row = lane_count * sizeof(float);
+  const FloatLanes leave =
+      hn::Min(meet(x ^ row, 0, slot.far_offset),
+              hn::Min(meet(y ^ row, 1, slot.far_offset), meet(z ^ row, 2, slot.far_offset)));
+  const FloatLanes limit = hn::Min(hn::Mul(leave, hn::Set(d, widening)), hn::Set(d, slot.limit));
+  return {enter, hn::Le(enter, limit)};
+}
+
 /// Rays that do not move, or hardly, along some axis: those along an axis of the world, above all. There the
 /// direction's reciprocal would overflow. Instead of it stands one of 2¹⁰⁰ over the scene's size S, and
 /// offsets are moved by 2⁸², so that a ray is inside the planes until t = 2⁸¹ if it begins between them or up

@@ -1,8 +1,9 @@
 // Many single rays in flight. What limits one ray's way down a hierarchy is latency: which node comes next is
 // known about 35 cycles after a node was begun, and guessing it by a branch fails about once a node on
 // incoherent rays. So `slot_count` rays take turns, each a step at a time, without a branch that depends on a
-// ray; their steps overlap in the processor. Rays are sorted by what they need next (a node, a block of
-// triangles, a hit looked at, a new ray) into lists whose lengths are all that branches depend on.
+// ray; their steps overlap in the processor, the more of them since each is done in two halves. Rays are sorted
+// by what they need next (a node, a block of triangles, a hit looked at, a new ray) into lists whose lengths are
+// all that branches depend on.
 #if defined(RAYSWEEP_WIDE_STREAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYSWEEP_WIDE_STREAM_INL_H_
 #undef RAYSWEEP_WIDE_STREAM_INL_H_
@@ -109,10 +110,6 @@ class Stream {
     const uint32_t count = lists_.nodes.count;
     cycles_ += count * StepCosts::ray_node;
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
-    const Floats d;
-    const Words dw;
-    const FloatLanes wider = hn::Set(d, widening);
-    constexpr size_t row = lane_count * sizeof(float);
     const Node* const nodes = nodes_;
     char* const slots = slots_;
     const uint32_t* const now = lists_.nodes.slots;
@@ -126,29 +123,15 @@ class Stream {
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
       const char* const node = reinterpret_cast<const char*>(nodes + slot.current);
-      const auto plane = [node](size_t at) HWY_ATTR {
-        return hn::Load(Floats(), reinterpret_cast<const float*>(node + at));
-      };
-      const auto meet = [&](size_t at, int axis, const float* offsets) HWY_ATTR {
-        return hn::MulAdd(plane(at), hn::Set(Floats(), slot.reciprocal[axis]),
-                          hn::Set(Floats(), offsets[axis]));
-      };
-      const size_t x = slot.near_plane[0], y = slot.near_plane[1], z = slot.near_plane[2];
-      const FloatLanes enter = hn::Max(hn::Max(meet(x, 0, slot.near_offset), meet(y, 1, slot.near_offset)),
-                                       hn::Max(meet(z, 2, slot.near_offset), hn::Zero(d)));
-      // Rows of lower and upper planes take turns: the far one's place differs by one bit.
-      const FloatLanes leave =
-          hn::Min(meet(x ^ row, 0, slot.far_offset),
-                  hn::Min(meet(y ^ row, 1, slot.far_offset), meet(z ^ row, 2, slot.far_offset)));
-      const LaneMask met = hn::Le(enter, hn::Min(hn::Mul(leave, wider), hn::Set(d, slot.limit)));
+      const Meeting meeting = meet_of_ray(slot, node);
       if constexpr (any)
-        return Step{&slot, node, met};
+        return Step{&slot, node, meeting.met};
       else
-        return Step{&slot, node, Meeting{enter, met}.enter_if_met()};
+        return Step{&slot, node, meeting.enter_if_met()};
     };
     const auto second = [&](const Step& step, uint32_t i) RAYSWEEP_STEP {
       const WordLanes children =
-          hn::Load(dw, reinterpret_cast<const uint32_t*>(step.node + offsetof(Node, children)));
+          hn::Load(Words(), reinterpret_cast<const uint32_t*>(step.node + offsetof(Node, children)));
       if constexpr (any) {
         stacks.push(*step.slot, children, step.met);
       } else {
