@@ -97,7 +97,7 @@ HWY_INLINE float accepted_at(const FoundHit& hit) {
   const float side = sum(hit.side), towards = sum(hit.towards);
   const bool is_ahead = hit.is_ahead | ((side > 0) & (towards < 0)) | ((side < 0) & (towards > 0));
   const bool is_held = (hit.t > 0) & (enter <= leave) & (held > 0);
-  return is_ahead & is_held ? held : std::numeric_limits<float>::quiet_NaN();
+  return (is_ahead & is_held) ? held : std::numeric_limits<float>::quiet_NaN();
 }
 
 /// A bit for each lane at whose distance there is a hit. Infinity: none; NaN: lanes cannot tell.

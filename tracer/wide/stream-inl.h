@@ -1,9 +1,9 @@
 // Many single rays in flight. What limits one ray's way down a hierarchy is latency: which node comes next is
 // known about 35 cycles after a node was begun, and guessing it by a branch fails about once a node on
 // incoherent rays. So `slot_count` rays take turns, each a step at a time, without a branch that depends on a
-// ray; their steps overlap in the processor, the more of them since each is done in two halves. Rays are sorted
-// by what they need next (a node, a block of triangles, a hit looked at, a new ray) into lists whose lengths are
-// all that branches depend on.
+// ray; their steps overlap in the processor, the more of them since each is done in two halves. Rays are
+// sorted by what they need next (a node, a block of triangles, a hit looked at, a new ray) into lists whose
+// lengths are all that branches depend on.
 #if defined(RAYSWEEP_WIDE_STREAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYSWEEP_WIDE_STREAM_INL_H_
 #undef RAYSWEEP_WIDE_STREAM_INL_H_
