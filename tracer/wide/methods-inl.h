@@ -216,12 +216,6 @@ HWY_INLINE WatertightHits<D> divide(D d, const Edges<D>& edges) {
   return {hn::IfThenElse(is_uncertain, hn::NaN(d), t), hn::And(is_inside, hn::Or(is_uncertain, is_ahead))};
 }
 
-/// Where rays hit, if they do.
-template <class Method, class D, class Seen>
-HWY_INLINE auto solve(Method, D d, const Lanes3<D>& along, const Seen& seen) {
-  return divide(d, project(Method{}, along, seen));
-}
-
 /// SphereHit of each lane, and which meet the sphere at all.
 template <class D>
 struct LaneSphereHits {

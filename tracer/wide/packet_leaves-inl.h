@@ -7,6 +7,7 @@
 #endif
 
 #include <new>
+#include <utility>
 
 #include "tracer/wide/nearest-inl.h"
 #include "tracer/wide/packet-inl.h"

@@ -6,8 +6,6 @@
 #define RAYSWEEP_WIDE_RAY_LOADER_INL_H_
 #endif
 
-#include <tuple>
-
 #include "tracer/wide/ray_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -132,7 +130,7 @@ class RayLoader {
     const auto kept = [&keep](const Lanes3<Floats>& v) HWY_ATTR {
       return Lanes3<Floats>{keep(v.x), keep(v.y), keep(v.z)};
     };
-    const auto& [x, y, z] = std::tie(rays.x, rays.y, rays.z);
+    const Along &x = rays.x, &y = rays.y, &z = rays.z;
     const Lanes3<Floats> origin = kept(rays.origin), direction = kept(rays.direction),
                          reciprocal = kept({x.reciprocal, y.reciprocal, z.reciprocal}),
                          near = kept({hn::Sub(x.offset, x.error), hn::Sub(y.offset, y.error),
@@ -205,7 +203,7 @@ class RayLoader {
       enter = hn::IfThenElse(way.is_flat, enter, hn::Max(enter, first));
       leave = hn::IfThenElse(way.is_flat, leave, hn::Min(leave, last));
     };
-    const auto& [from, along] = std::tie(rays.origin, rays.direction);
+    const Lanes3<Floats>&from = rays.origin, &along = rays.direction;
     cut(from.x, along.x, rays.x, bounds_.lower().x, bounds_.upper().x);
     cut(from.y, along.y, rays.y, bounds_.lower().y, bounds_.upper().y);
     cut(from.z, along.z, rays.z, bounds_.lower().z, bounds_.upper().z);
