@@ -161,6 +161,13 @@ HWY_INLINE uint32_t octant_of(const Packet& packet, size_t ray) {
   return falls(0) + 2 * falls(1) + 4 * falls(2);
 }
 
+/// The octant in whose order rays to `octant` visit children. Where any hit will do, far ones come first:
+/// what is near is mostly the surface that rays have just left.
+template <bool any>
+HWY_INLINE uint32_t visited_octant(uint32_t octant) {
+  return any ? octant ^ 7 : octant;
+}
+
 template <class Method>
 HWY_INLINE OneRay ray_of(const Packet& packet, size_t i) {
   return {point_of(packet.origin, i), point_of(packet.direction, i), point_of(packet.reciprocal, i),

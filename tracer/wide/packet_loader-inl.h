@@ -154,9 +154,9 @@ class PacketLoader {
 
   /// Where in a node the order of the octant is that directions lie in, or most of them.
   HWY_INLINE static uint32_t order_of(const Ranges& along) {
-    uint8_t falls[8];  // Highway writes up to 8 bytes
-    hn::StoreMaskBits(Axes(), hn::Lt(hn::Add(along.least, along.most), hn::Zero(Axes())), falls);
-    return static_cast<uint32_t>(offsetof(WideNode<lane_count>, far_to_near)) + (falls[0] & 7u) * 4;
+    const uint32_t falls = bits_of(hn::Lt(hn::Add(along.least, along.most), hn::Zero(Axes()))),
+                   octant = visited_octant<any>(falls & 7);
+    return static_cast<uint32_t>(offsetof(WideNode<lane_count>, far_to_near)) + octant * 4;
   }
 
   HWY_INLINE static Lanes3<RayTag> load(const LaneArray<float>& x, const LaneArray<float>& y,

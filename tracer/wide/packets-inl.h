@@ -266,7 +266,8 @@ class Packets {
                    last = 31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(packet.active);
       const Meeting one = meet_of_ray(packet, first, node), other = meet_of_ray(packet, last, node);
       const Meeting either{hn::Min(one.enter, other.enter), hn::Or(one.met, other.met)};
-      push(packet, node, either.enter_if_met(), node.far_to_near[octant_of(packet, first)]);
+      push(packet, node, either.enter_if_met(),
+           node.far_to_near[visited_octant<any>(octant_of(packet, first))]);
       RAYSWEEP_COUNT(count_, Visited::packet_node_of_few);
     }
     lists_.add(Kind::popped, visits);
