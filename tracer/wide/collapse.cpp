@@ -51,6 +51,7 @@ class Emitter {
         children.add(inner, binary_.nodes[below].box);
       }
     }
+    children.put_large_ones_first(binary_.nodes[now.binary].box);
     tree.nodes[now.wide] = node_of(children);
   }
 
