@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
+
 #include "tracer/wide/compactions.h"
 #include "tracer/wide/geometry.h"
 
@@ -76,10 +78,11 @@ HWY_INLINE LaneMask mask_of(uint32_t bits) {
 }
 
 /// `first` and the numbers behind it. Highway's Iota would put them together in memory.
-HWY_INLINE WordLanes count_from(uint32_t first) {
-  const Words d;
+template <class D>
+HWY_INLINE hn::Vec<D> count_from(D d, uint32_t first) {
   return hn::Add(hn::Iota(d, 0), hn::Set(d, first));
 }
+HWY_INLINE WordLanes count_from(uint32_t first) { return count_from(Words(), first); }
 
 /// Numbers of lanes packed `order_bits` each into a word, one number a lane; lanes above the lowest bits may
 /// hold more.
@@ -100,27 +103,47 @@ HWY_INLINE WordLanes permute(WordLanes lanes, WordLanes numbers) {
   return hn::TableLookupLanes(lanes, hn::IndicesFromVec(Words(), numbers));
 }
 
+/// What lies `at` numbers behind each of `from`. Instructions that gather take longer.
+template <class D>
+HWY_INLINE hn::Vec<D> gather(D d, const float* const* from, size_t at) {
+  // As integers, which compilers insert from memory.
+  const auto four = [&](size_t i) HWY_ATTR {
+    const AxisWords dw;
+    const auto word = [&](size_t k) HWY_ATTR { return std::bit_cast<uint32_t>(from[i + k][at]); };
+    return hn::InsertLane(hn::InsertLane(hn::InsertLane(hn::Set(dw, word(0)), 1, word(1)), 2, word(2)), 3,
+                          word(3));
+  };
+  if constexpr (hn::MaxLanes(D()) == 4) {
+    return hn::BitCast(d, four(0));
+  } else {
+    return hn::BitCast(d, hn::Combine(hn::RebindToUnsigned<D>(), four(4), four(0)));
+  }
+}
+
+/// As many lanes as can be compacted at once.
+inline constexpr int lanes_compacted = HWY_TARGET == HWY_AVX3 ? 16 : lane_count;
+
 /// Moves the lanes of a mask to the front, in their order.
-class Compaction {
+template <class D>
+class CompactionOf {
+  using DW = hn::RebindToUnsigned<D>;
+
  public:
-  HWY_INLINE explicit Compaction(LaneMask mask)
 #if HWY_TARGET == HWY_AVX3
-      : mask_(mask) {
-  }
-  [[nodiscard]] HWY_INLINE uint32_t count() const {
-    return static_cast<uint32_t>(hn::CountTrue(Floats(), mask_));
-  }
-  HWY_INLINE FloatLanes operator()(FloatLanes lanes) const { return hn::Compress(lanes, mask_); }
-  HWY_INLINE WordLanes operator()(WordLanes lanes) const {
-    return hn::Compress(lanes, hn::RebindMask(Words(), mask_));
+  HWY_INLINE explicit CompactionOf(hn::Mask<D> mask) : mask_(mask) {}
+  HWY_INLINE explicit CompactionOf(uint32_t bits) : mask_(mask_of(bits)) {}
+  [[nodiscard]] HWY_INLINE uint32_t count() const { return static_cast<uint32_t>(hn::CountTrue(D(), mask_)); }
+  HWY_INLINE hn::Vec<D> operator()(const hn::Vec<D>& lanes) const { return hn::Compress(lanes, mask_); }
+  HWY_INLINE hn::Vec<DW> operator()(const hn::Vec<DW>& lanes) const {
+    return hn::Compress(lanes, hn::RebindMask(DW(), mask_));
   }
 
  private:
-  LaneMask mask_;
+  hn::Mask<D> mask_;
 #else
-      // Highway 1.0's own way, where there is no instruction, copies its table each time.
-      : bits_(bits_of(mask)), numbers_(unpack(compactions[bits_])) {
-  }
+  // Highway 1.0's own way, where there is no instruction, copies its table each time.
+  HWY_INLINE explicit CompactionOf(LaneMask mask) : CompactionOf(bits_of(mask)) {}
+  HWY_INLINE explicit CompactionOf(uint32_t bits) : bits_(bits), numbers_(unpack(compactions[bits_])) {}
   [[nodiscard]] HWY_INLINE uint32_t count() const { return static_cast<uint32_t>(hwy::PopCount(bits_)); }
   HWY_INLINE FloatLanes operator()(FloatLanes lanes) const { return permute(lanes, numbers_); }
   HWY_INLINE WordLanes operator()(WordLanes lanes) const { return permute(lanes, numbers_); }
@@ -130,6 +153,7 @@ class Compaction {
   WordLanes numbers_;
 #endif
 };
+using Compaction = CompactionOf<Floats>;
 
 }  // namespace HWY_NAMESPACE
 }  // namespace raysweep

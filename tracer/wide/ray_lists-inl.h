@@ -27,10 +27,11 @@ struct RayLists {
     uint32_t count = 0;
   };
   List nodes, next_nodes, leaves, candidates, ended, empty;
-  uint32_t* wanted;  // by rays just visited, in their order
+  uint32_t* wanted;     // by rays just visited, in their order
+  uint32_t* looked_at;  // slots of those whose hits were
 
   /// Numbers in the memory of all, with room for a vector of lanes stored at each one's end.
-  static constexpr size_t list_size = slot_count + lane_count, size = 7 * list_size;
+  static constexpr size_t list_size = slot_count + lane_count, size = 8 * list_size;
 
   /// Where in `memory`, which is a vector's, they end.
   HWY_INLINE uint32_t* place(uint32_t* memory) {
@@ -39,7 +40,8 @@ struct RayLists {
       memory += list_size;
     }
     wanted = memory;
-    return memory + list_size;
+    looked_at = memory + list_size;
+    return memory + 2 * list_size;
   }
 
   /// Adds `count` rays, which want what `wanted` says, to the lists. `slots` may be one of these that was

@@ -41,6 +41,34 @@ struct alignas(64) Slot : StackPlace {
   alignas(32) float distances[8];  // at which the block's triangles are hit, if accepted; infinity: not hit
 };
 
+/// The four numbers of each lane's slot that begin at a field.
+struct OfSlots {
+  FloatLanes x, y, z, w;
+  [[nodiscard]] HWY_INLINE Lanes3<Floats> xyz() const { return {x, y, z}; }
+};
+template <class Field>
+HWY_INLINE OfSlots load_by_slot(const char* slots, const uint32_t* offsets, Field Slot::*field) {
+  const Floats d;
+  const auto row = [&](size_t lane) HWY_ATTR {
+    const auto at = [&](size_t i) HWY_ATTR {
+      return hn::Load(Axes(), reinterpret_cast<const float*>(
+                                  &(reinterpret_cast<const Slot*>(slots + offsets[i])->*field)));
+    };
+    if constexpr (lane_count == 4) {
+      return at(lane);
+    } else {
+      return hn::Combine(Floats(), at(lane + 4), at(lane));
+    }
+  };
+  const FloatLanes rows[4] = {row(0), row(1), row(2), row(3)};
+  const auto xy_even = hn::InterleaveLower(d, rows[0], rows[2]),
+             xy_odd = hn::InterleaveLower(d, rows[1], rows[3]),
+             zw_even = hn::InterleaveUpper(d, rows[0], rows[2]),
+             zw_odd = hn::InterleaveUpper(d, rows[1], rows[3]);
+  return {hn::InterleaveLower(d, xy_even, xy_odd), hn::InterleaveUpper(d, xy_even, xy_odd),
+          hn::InterleaveLower(d, zw_even, zw_odd), hn::InterleaveUpper(d, zw_even, zw_odd)};
+}
+
 /// The ray of a slot for what is computed outside of lanes.
 struct RayOfSlot {
   Ray<float> ray;

@@ -79,8 +79,8 @@ class Stacks {
     pop(at, top + kept.count());
   }
 
-  /// Pushes children that are met, in any order.
-  HWY_INLINE void push(StackPlace& at, WordLanes children, LaneMask met) const {
+  /// Pushes children that are met, a bit each, in any order.
+  HWY_INLINE void push(StackPlace& at, WordLanes children, uint32_t met) const {
     const Compaction kept(met);
     const uint32_t top = at.top;
     hn::StoreU(kept(children), Words(), children_ + top);
@@ -111,28 +111,34 @@ class Stacks {
   HWY_INLINE void pop(StackPlace& at) const { pop(at, at.top); }
 
  private:
-  /// Keeps what begins before `limit_now` of the entries before `end`.
+  /// Keeps what begins before `limit_now` of the entries before `end`, 16 at a time where vectors are as
+  /// wide, elsewhere two vectors.
   HWY_INLINE void shorten(StackPlace& at, uint32_t end, float limit_now) const {
-    const Floats d;
-    const Words dw;
-    const FloatLanes limit = hn::Set(d, limit_now);
-    const WordLanes ends = hn::Set(dw, end);
+    constexpr uint32_t at_once = lanes_compacted;
+    using D = hn::FixedTag<float, at_once>;
+    using DW = hn::FixedTag<uint32_t, at_once>;
+    const hn::Vec<D> limit = hn::Set(D(), limit_now);
+    const hn::Vec<DW> ends = hn::Set(DW(), end);
     uint32_t kept = at.bottom;
-    const auto keep = [&](FloatLanes enters, WordLanes children, uint32_t from) HWY_ATTR {
-      const LaneMask is_entry = hn::RebindMask(Floats(), hn::Lt(count_from(from), ends));
-      const Compaction stay(hn::And(hn::Le(enters, limit), is_entry));
-      hn::StoreU(stay(enters), Floats(), enters_ + kept);
-      hn::StoreU(stay(children), Words(), children_ + kept);
+    const auto keep = [&](const hn::Vec<D>& enters, const hn::Vec<DW>& children, uint32_t from) HWY_ATTR {
+      const auto is_entry = hn::RebindMask(D(), hn::Lt(count_from(DW(), from), ends));
+      const CompactionOf<D> stay(hn::And(hn::Le(enters, limit), is_entry));
+      hn::StoreU(stay(enters), D(), enters_ + kept);
+      hn::StoreU(stay(children), DW(), children_ + kept);
       kept += stay.count();
     };
     uint32_t from = at.bottom;
     do {
-      const FloatLanes enters = hn::LoadU(d, enters_ + from),
-                       more = hn::LoadU(d, enters_ + from + lane_count);
-      const WordLanes children = hn::LoadU(dw, children_ + from),
-                      others = hn::LoadU(dw, children_ + from + lane_count);
-      keep(enters, children, from);
-      keep(more, others, from + lane_count);
+      const hn::Vec<D> enters = hn::LoadU(D(), enters_ + from);
+      const hn::Vec<DW> children = hn::LoadU(DW(), children_ + from);
+      if constexpr (at_once == 2 * lane_count) {
+        keep(enters, children, from);
+      } else {
+        const hn::Vec<D> more = hn::LoadU(D(), enters_ + from + lane_count);
+        const hn::Vec<DW> others = hn::LoadU(DW(), children_ + from + lane_count);
+        keep(enters, children, from);
+        keep(more, others, from + lane_count);
+      }
       from += 2 * lane_count;
     } while (from < end);
     at.top = kept;

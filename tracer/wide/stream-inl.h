@@ -13,7 +13,7 @@
 
 #include <utility>
 
-#include "tracer/wide/nearest-inl.h"
+#include "tracer/wide/hit_looks-inl.h"
 #include "tracer/wide/ray_lists-inl.h"
 #include "tracer/wide/ray_loader-inl.h"
 #include "tracer/wide/two_steps-inl.h"
@@ -31,13 +31,13 @@ class Stream {
   static_assert(sizeof(WideNode<8>) == 256 && offsetof(WideNode<8>, children) == 192);
 
   HWY_INLINE Stream(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
-      : primitives_(*geometry.primitives),
-        nodes_(geometry.tree.nodes.data()),
+      : nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
         hits_(hits),
         scratch_(scratch),
         count_(scratch.visits),
-        loader_(rays, hits, geometry.tree.bounds, scratch) {
+        loader_(rays, hits, geometry.tree.bounds, scratch),
+        looks_(*geometry.primitives, geometry.blocks.data(), stacks_) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
     slots_ = static_cast<char*>(scratch.reserve(
         slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) + RayLists::size * sizeof(uint32_t)));
@@ -54,9 +54,9 @@ class Stream {
 
   HWY_INLINE void run() {
     begin_rays();
-    while (lists_.next_nodes.count + lists_.leaves.count > 0) {
+    while (lists_.next_nodes.count + lists_.leaves.count + lists_.candidates.count > 0) {
       std::swap(lists_.nodes, lists_.next_nodes);
-      lists_.next_nodes.count = lists_.candidates.count = lists_.ended.count = 0;
+      lists_.next_nodes.count = lists_.ended.count = 0;
       visit_nodes();
       visit_leaves();
       look_at_candidates();
@@ -118,14 +118,14 @@ class Stream {
     struct Step {
       Slot* slot;
       const char* node;
-      std::conditional_t<any, LaneMask, FloatLanes> met;  // or where each is entered, if it is
+      std::conditional_t<any, uint32_t, FloatLanes> met;  // a bit a child, or where each is entered, if it is
     };
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
       const char* const node = reinterpret_cast<const char*>(nodes + slot.current);
       const Meeting meeting = meet_of_ray(slot, node);
       if constexpr (any)
-        return Step{&slot, node, meeting.met};
+        return Step{&slot, node, bits_of(meeting.met)};
       else
         return Step{&slot, node, meeting.enter_if_met()};
     };
@@ -185,83 +185,21 @@ class Stream {
     lists_.add(leaves, count);
   }
 
+  /// What does not fill a vector waits, as long as there are rays to go on with.
   HWY_NOINLINE HWY_ATTR void look_at_candidates() {
-    const uint32_t count = std::exchange(lists_.candidates.count, 0);
+    RayLists::List& candidates = lists_.candidates;
+    const uint32_t left = loader_.has_next() ? candidates.count % lane_count : 0,
+                   count = candidates.count - left;
     cycles_ += count * StepCosts::ray_look;
-    const auto first = [&](uint32_t i) RAYSWEEP_STEP { return look_at(slot_at(lists_.candidates.slots[i])); };
-    const auto second = [&](const Look& look, uint32_t i) RAYSWEEP_STEP {
-      Slot& slot = slot_at(lists_.candidates.slots[i]);
-      lists_.wanted[i] =
-          keep(look.is_plain ? Hit<float>{accepted_at(look.hit), look.id} : nearest_of(slot), slot);
-    };
-    in_two_steps<1>(count, first, second);
-    lists_.add(lists_.candidates.slots, count);
+    RAYSWEEP_COUNT(count_, Visited::ray_look, count);
+    for (uint32_t i = 0; i < count; i += lane_count)
+      looks_.look_at(slots_, candidates.slots + i, std::min<uint32_t>(count - i, lane_count),
+                     lists_.looked_at + i, lists_.wanted + i);
+    hn::Store(hn::LoadU(Words(), candidates.slots + count), Words(), candidates.slots);
+    candidates.count = left;
+    lists_.add(lists_.looked_at, count);
   }
 
-  /// Nearly always a ray hits one triangle of a block: what decides on the first.
-  struct Look {
-    FoundHit hit;
-    uint32_t id;
-    bool is_plain;
-  };
-
-  HWY_INLINE Look look_at(const Slot& slot) const {
-    RAYSWEEP_COUNT(count_, Visited::ray_look);
-    const Block& block = blocks_[slot.block];
-    const uint32_t hits = hits_at(slot.distances),
-                   others = (hits & (hits - 1)) | (Method::is_watertight ? undecided_at(slot.distances) : 0) |
-                            slot.is_flat;
-    const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(hits | 1u << (lane_count - 1));
-    return {examine<Method>(ray_of(slot), block, lane, slot.distances[lane]), block.id[lane],
-            hits != 0 && others == 0 && block.id[0] >= primitives_.first_triangle()};
-  }
-
-  HWY_INLINE static OneRay ray_of(const Slot& slot) {
-    const Axes d;
-    return {hn::Load(d, slot.origin), hn::Load(d, slot.direction), hn::Load(d, slot.reciprocal),
-            slot.longest_axis};
-  }
-
-  /// The first hit of the block's candidates, whatever they are.
-  HWY_NOINLINE HWY_ATTR Hit<float> nearest_of(const Slot& slot) const {
-    const Block& block = blocks_[slot.block];
-    if (block.id[0] < primitives_.first_triangle()) return nearest_sphere(slot, block);
-    if (slot.is_flat != 0) return nearest_of_flat(slot, block);
-    return nearest_triangle(primitives_, block, ray_of(slot), slot.distances);
-  }
-
-  /// What the ray needs next.
-  HWY_INLINE WideChild keep(const Hit<float>& hit, Slot& slot) const {
-    if (any ? hit.t < slot.t : hit.before({slot.t, slot.id})) {
-      slot.t = hit.t;
-      slot.id = hit.id;
-      if constexpr (any) {
-        slot.current = sentinel;
-      } else {
-        slot.limit = slot.t * widening;
-        stacks_.shorten_after_block(slot, slot.limit, blocks_[slot.block].more);
-      }
-    }
-    return slot.current;
-  }
-
-  HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
-    const RayOfSlot ray(slot);
-    return nearest_one_by_one(primitives_, block, ray.ray, ray.slab_ray, slot.distances,
-                              hits_at(slot.distances) | undecided_at(slot.distances), Hit<float>::none());
-  }
-
-  HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {
-    const RayOfSlot ray(slot);
-    Hit<float> nearest = Hit<float>::none();
-    for (uint32_t lane = 0; lane < block.count; ++lane) {
-      const auto t = primitives_.intersect_sphere(block.id[lane], ray.ray, ray.slab_ray, Hit<float>::start());
-      if (t && Hit<float>{*t, block.id[lane]}.before(nearest)) nearest = {*t, block.id[lane]};
-    }
-    return nearest;
-  }
-
-  const Primitives<float, Method>& primitives_;
   const Node* const nodes_;
   const Block* const blocks_;
   HitBatch& hits_;
@@ -272,6 +210,7 @@ class Stream {
   uint64_t cycles_ = 0;  // that it took so far, about
   [[no_unique_address]] const VisitCounter count_;
   RayLoader<Method, any> loader_;
+  const HitLooks<Method, any> looks_;
 };
 
 }  // namespace HWY_NAMESPACE
