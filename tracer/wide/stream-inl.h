@@ -39,8 +39,9 @@ class Stream {
         loader_(rays, hits, geometry.tree.bounds, scratch),
         looks_(*geometry.primitives, geometry.blocks.data(), stacks_) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
-    slots_ = static_cast<char*>(scratch.reserve(
-        slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) + RayLists::size * sizeof(uint32_t)));
+    slots_ =
+        static_cast<char*>(scratch.reserve(slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) +
+                                           RayLists::size() * sizeof(uint32_t)));
     lists_.place(reinterpret_cast<uint32_t*>(
         stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size)));
     for (uint32_t i = 0; i < slot_count; ++i) {
@@ -58,8 +59,13 @@ class Stream {
       std::swap(lists_.nodes, lists_.next_nodes);
       lists_.next_nodes.count = lists_.ended.count = 0;
       visit_nodes();
-      visit_leaves();
-      look_at_candidates();
+      // Fewer wait for others, as long as there are nodes to visit: a loop's end takes as long as some
+      // visits.
+      constexpr uint32_t enough = 16;
+      if (lists_.leaves.count >= enough || lists_.next_nodes.count < enough) {
+        visit_leaves();
+        look_at_candidates();
+      }
       end_rays();
       begin_rays();
     }
@@ -112,36 +118,42 @@ class Stream {
     RAYSWEEP_COUNT(count_, Visited::ray_node, count);
     const Node* const nodes = nodes_;
     char* const slots = slots_;
-    const uint32_t* const now = lists_.nodes.slots;
-    uint32_t* const wanted = lists_.wanted;
+    uint32_t* const now = lists_.nodes.slots;
     const Stacks stacks = stacks_;
-    struct Step {
-      Slot* slot;
+    struct EnteredChildren {
       const char* node;
-      std::conditional_t<any, uint32_t, FloatLanes> met;  // a bit a child, or where each is entered, if it is
+      FloatLanes enter;  // infinity where they are not met
+    };
+    struct MetChildren {
+      WordLanes children;
+      uint32_t met;  // a bit each
+    };
+    struct Step : std::conditional_t<any, MetChildren, EnteredChildren> {
+      Slot* slot;
+    };
+    const auto children_of = [](const char* node) HWY_ATTR {
+      return hn::Load(Words(), reinterpret_cast<const uint32_t*>(node + offsetof(Node, children)));
     };
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
       const char* const node = reinterpret_cast<const char*>(nodes + slot.current);
       const Meeting meeting = meet_of_ray(slot, node);
       if constexpr (any)
-        return Step{&slot, node, bits_of(meeting.met)};
+        return Step{{children_of(node), bits_of(meeting.met)}, &slot};
       else
-        return Step{&slot, node, meeting.enter_if_met()};
+        return Step{{node, meeting.enter_if_met()}, &slot};
     };
     const auto second = [&](const Step& step, uint32_t i) RAYSWEEP_STEP {
-      const WordLanes children =
-          hn::Load(Words(), reinterpret_cast<const uint32_t*>(step.node + offsetof(Node, children)));
       if constexpr (any) {
-        stacks.push(*step.slot, children, step.met);
+        stacks.push(*step.slot, step.children, step.met);
       } else {
         const uint32_t far_to_near = *reinterpret_cast<const uint32_t*>(step.node + step.slot->order);
-        stacks.push_in_order(*step.slot, children, step.met, far_to_near);
+        stacks.push_in_order(*step.slot, children_of(step.node), step.enter, far_to_near);
       }
-      wanted[i] = step.slot->current;
+      RayLists::wanted(now)[i] = step.slot->current;
     };
     in_two_steps<2>(count, first, second);
-    lists_.add(now, count);
+    lists_.add<false>(now, count);
   }
 
   HWY_NOINLINE HWY_ATTR void visit_leaves() {
@@ -151,8 +163,7 @@ class Stream {
     RAYSWEEP_COUNT(count_, Visited::ray_block, count);
     const Block* const blocks = blocks_;
     char* const slots = slots_;
-    const uint32_t* const leaves = lists_.leaves.slots;
-    uint32_t* const wanted = lists_.wanted;
+    uint32_t* const leaves = lists_.leaves.slots;
     const Stacks stacks = stacks_;
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
@@ -179,25 +190,26 @@ class Stream {
       stacks.leave_block(slot, block.more);
       // Not by a condition: compilers make a branch of it, which nobody can guess.
       static_assert(candidate == ~0u);
-      wanted[i] = slot.current | (0u - static_cast<uint32_t>(candidates != 0));
+      RayLists::wanted(leaves)[i] = slot.current | (0u - static_cast<uint32_t>(candidates != 0));
     };
     in_two_steps<1>(count, first, second);
-    lists_.add(leaves, count);
+    lists_.add<true>(leaves, count);
   }
 
   /// What does not fill a vector waits, as long as there are rays to go on with.
   HWY_NOINLINE HWY_ATTR void look_at_candidates() {
     RayLists::List& candidates = lists_.candidates;
+    uint32_t* const looked_at = lists_.looked_at.slots;
     const uint32_t left = loader_.has_next() ? candidates.count % lane_count : 0,
                    count = candidates.count - left;
     cycles_ += count * StepCosts::ray_look;
     RAYSWEEP_COUNT(count_, Visited::ray_look, count);
     for (uint32_t i = 0; i < count; i += lane_count)
-      looks_.look_at(slots_, candidates.slots + i, std::min<uint32_t>(count - i, lane_count),
-                     lists_.looked_at + i, lists_.wanted + i);
+      looks_.look_at(slots_, candidates.slots + i, std::min<uint32_t>(count - i, lane_count), looked_at + i,
+                     RayLists::wanted(looked_at) + i);
     hn::Store(hn::LoadU(Words(), candidates.slots + count), Words(), candidates.slots);
     candidates.count = left;
-    lists_.add(lists_.looked_at, count);
+    lists_.add<false>(looked_at, count);
   }
 
   const Node* const nodes_;

@@ -166,6 +166,24 @@ TEST(collapse, items_in_one_place_share_a_leaf_of_several_blocks) {
   EXPECT_EQ(walk.leaf_count(), 2u) << "one of spheres, one of triangles";
 }
 
+/// The walls of a room, each with a box as large as half of it or more, and what is inside.
+TEST(collapse, children_larger_than_half_of_their_node_come_first) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::vector<Box<float>> boxes = random_boxes(200, seed);
+    boxes.emplace_back();
+    boxes.back().include({-6, -6, -6});
+    boxes.back().include({6, 6, 6});
+    const auto tree = collapse<8>(build_by_name<float>("sah", boxes, 0, 7, 8), boxes, {0, true});
+    const WideNode<8>& root = tree.nodes[0];
+    const auto half_area = [&](int i) {
+      const auto size = [&](int axis) { return root.bounds[axis][1][i] - root.bounds[axis][0][i]; };
+      return size(0) * size(1) + size(1) * size(2) + size(2) * size(0);
+    };
+    EXPECT_GT(half_area(0), tree.bounds.half_area() / 2) << seed;
+    for (int i = 1; i < 8; ++i) EXPECT_FALSE(half_area(i) > tree.bounds.half_area() / 2) << seed << ' ' << i;
+  }
+}
+
 TEST(collapse, nothing_gives_a_root_without_children) {
   const auto tree = collapse<8>(Hierarchy<float>{}, {}, {0, true});
   ASSERT_EQ(tree.nodes.size(), 1u);

@@ -100,6 +100,45 @@ TEST(wide_core, packets_whose_directions_have_both_signs_on_axes_agree) {
   }
 }
 
+/// Triangles of a square across z.
+Mesh square_across(float z) {
+  constexpr uint32_t side = 5;
+  Mesh mesh;
+  for (uint32_t i = 0; i < side * side; ++i)
+    mesh.vertices.emplace_back(static_cast<float>(i % side) - 2, static_cast<float>(i / side) - 2, z);
+  for (uint32_t y = 0; y + 1 < side; ++y) {
+    for (uint32_t x = 0; x + 1 < side; ++x) {
+      const uint32_t a = y * side + x;
+      mesh.triangles.push_back({a, a + 1, a + side});
+      mesh.triangles.push_back({a + 1, a + side + 1, a + side});
+    }
+  }
+  return mesh;
+}
+
+/// Rays of a packet that meet one square behind the other: whichever direction they go in, the first one that
+/// is found to be in their way is the far one.
+TEST(wide_core, packets_visit_far_children_first_where_any_hit_will_do) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.meshes = {square_across(-4), square_across(4)};
+  const auto in_each = static_cast<uint32_t>(scene.meshes[0].triangles.size());
+  for (const float along : {1.0f, -1.0f}) {
+    std::vector<TestRay<float>> rays;
+    for (size_t i = 0; i < packet_size; ++i) {
+      const float beside = 0.01f * static_cast<float>(i);
+      rays.push_back({{{0.3f + beside, 0.2f - beside, -9 * along}, {0.001f, 0.002f, along}}, 100.0f});
+    }
+    for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+      HitBatch hits(rays.size());
+      KernelScratch scratch;
+      core.occluded(batch_of(rays), hits, scratch, Grouping::packets);
+      for (size_t i = 0; i < rays.size(); ++i)
+        EXPECT_EQ(hits.id[i] >= in_each, along > 0) << isa << ' ' << along << ' ' << i;
+    });
+  }
+}
+
 /// Batches that are no multiple of a packet, and a scene of nothing.
 TEST(wide_core, packets_agree_in_batches_of_any_size_and_without_a_scene) {
   for (const Scene& scene : {mixed_scene(), Scene()}) {
