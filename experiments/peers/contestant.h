@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tracer/for_each.h"
 #include "tracer/ray_batch.h"
 
 namespace raysweep {
@@ -52,6 +53,9 @@ struct Team {
   std::vector<Entrant> entrants;
   std::vector<TimedBuild> builds;
 };
+
+/// A way to share work among as many threads, which wait for it as long as that lives.
+using ShareWork = ForEach (*)(int threads);
 
 /// Each build is timed in as many rounds.
 inline constexpr int build_rounds = 7;

@@ -1,4 +1,7 @@
 // The module that brings Embree.
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <array>
 
 #include "experiments/clock.h"
@@ -158,13 +161,24 @@ std::unique_ptr<EmbreePictures> make_pictures(const Scene& scene) {
   return std::make_unique<Pictures>(scene);
 }
 
+ForEach share_by_tbb(int threads) {
+  // Devices limit TBB in the whole process to the threads of the last one that was made.
+  const auto device =
+      std::make_shared<const EmbreeScene>(EmbreeBuild{.isa = instruction_sets().front(), .threads = threads});
+  const auto arena = std::make_shared<tbb::task_arena>(threads);
+  arena->initialize();
+  return [device, arena](size_t count, const std::function<void(size_t)>& body) {
+    arena->execute([&] { tbb::parallel_for(size_t{0}, count, body, tbb::simple_partitioner()); });
+  };
+}
+
 }  // namespace
 
 }  // namespace raysweep
 
 extern "C" [[gnu::visibility("default")]] const raysweep::EmbreeModule* raysweep_embree_module() {
-  static const raysweep::EmbreeModule module{raysweep::embree_layout, raysweep::embree_version(),
+  static const raysweep::EmbreeModule module{raysweep::embree_layout,           raysweep::embree_version(),
                                              raysweep::embree_has_assertions(), raysweep::make_team,
-                                             raysweep::make_pictures};
+                                             raysweep::make_pictures,           raysweep::share_by_tbb};
   return &module;
 }

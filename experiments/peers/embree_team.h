@@ -30,6 +30,7 @@ struct EmbreeModule {
   /// incoherent; with `robust` those again, robust.
   Team (*make_team)(const Scene& scene, bool robust) = nullptr;
   std::unique_ptr<EmbreePictures> (*make_pictures)(const Scene& scene) = nullptr;
+  ShareWork share_by_tbb = nullptr;  // as Embree shares its builds
 };
 
 /// Differs between programs and modules that were built of different sources and would misread each other.

@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "experiments/clock.h"
-#include "experiments/peers/shared_work.h"
 #include "tracer/wide/wide_core.h"
 
 namespace raysweep {
@@ -60,11 +59,7 @@ class OurContestant final : public Contestant {
 const char* accel_of(bool high_quality) { return high_quality ? "sbvh" : "sah"; }
 
 template <class Core>
-BuildCost timed_build(const Scene& scene, bool high_quality, std::string_view isa, int threads) {
-  WorkTeam team(threads);  // made before, as is a device of Embree's with its threads
-  const ForEach for_each = [&](size_t count, const std::function<void(size_t)>& body) {
-    team.run(count, [&](size_t i, size_t) { body(i); });
-  };
+BuildCost timed_build(const Scene& scene, bool high_quality, std::string_view isa, const ForEach& for_each) {
   const size_t before = heap_bytes();
   const double begin = now_seconds();
   const Core core(scene, accel_of(high_quality), 4, isa, for_each);
@@ -72,11 +67,13 @@ BuildCost timed_build(const Scene& scene, bool high_quality, std::string_view is
 }
 
 template <class Core>
-void add_builds(Team& team, const Scene& scene, std::string_view isa) {
+void add_builds(Team& team, const Scene& scene, std::string_view isa, ShareWork share) {
   for (const bool high : {false, true}) {
     for (const int threads : build_threads)
-      team.builds.push_back({high ? "high" : "medium", threads, [&scene, high, isa, threads] {
-                               return timed_build<Core>(scene, high, isa, threads);
+      team.builds.push_back({high ? "high" : "medium", threads, [&scene, high, isa, threads, share] {
+                               // Made before, as is a device of Embree's with its threads.
+                               return timed_build<Core>(scene, high, isa,
+                                                        threads == 1 ? one_after_the_other : share(threads));
                              }});
   }
 }
@@ -86,7 +83,7 @@ void add_builds(Team& team, const Scene& scene, std::string_view isa) {
 OracleCore make_oracle(const Scene& scene) { return OracleCore(scene, "sah", 4); }
 RobustOracleCore make_robust_oracle(const Scene& scene) { return RobustOracleCore(scene, "sah", 4); }
 
-Team make_our_team(const Scene& scene) {
+Team make_our_team(const Scene& scene, ShareWork share) {
   Team team;
   const auto enter = [&]<class Core>(std::type_identity<Core>, std::string_view isa) {
     constexpr bool robust = Core::Method::is_watertight;
@@ -99,7 +96,7 @@ Team make_our_team(const Scene& scene) {
   };
   const auto enter_both = [&]<int width>(std::integral_constant<int, width>, std::string_view isa) {
     // Which instructions traverse a hierarchy later does not matter to its building.
-    if (team.builds.empty()) add_builds<WideCore<MollerTrumbore, width>>(team, scene, isa);
+    if (team.builds.empty()) add_builds<WideCore<MollerTrumbore, width>>(team, scene, isa, share);
     enter(std::type_identity<WideCore<MollerTrumbore, width>>(), isa);
     enter(std::type_identity<WideCore<WoopWatertight, width>>(), isa);
   };

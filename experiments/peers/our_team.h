@@ -17,7 +17,7 @@ using RobustOracleCore = ScalarCore<float, WoopWatertight>;
 
 /// On every instruction set of width 8, else on the best of width 4, the fastest method and the watertight
 /// one, which is robust, each over a hierarchy of usual and one of high quality, with single rays and with
-/// packets. `scene` must outlive the team.
-[[nodiscard]] Team make_our_team(const Scene& scene);
+/// packets; builds are shared by `share`. `scene` must outlive the team.
+[[nodiscard]] Team make_our_team(const Scene& scene, ShareWork share);
 
 }  // namespace raysweep

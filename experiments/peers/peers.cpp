@@ -85,7 +85,7 @@ class SceneComparison {
         request_(request),
         oracle_(make_oracle(scene.scene)),
         robust_oracle_(make_robust_oracle(scene.scene)),
-        ours_(make_our_team(scene.scene)),
+        ours_(make_our_team(scene.scene, embree.share_by_tbb)),
         embree_(embree.make_team(scene.scene, is_robust(ours_))) {}
 
   void add_builds(PeersResult& result) const {

@@ -1,71 +1,39 @@
 #include "experiments/peers/shared_work.h"
 
-#include <utility>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace raysweep {
 
-WorkTeam::WorkTeam(int threads) {
+void share_work(int threads, size_t count, const std::function<void(size_t i, size_t worker)>& body) {
+  std::atomic<size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&](size_t worker) {
+    try {
+      // Relaxed: who gets which number is all that is asked.
+      for (size_t i = next.fetch_add(1, std::memory_order_relaxed); i < count;
+           i = next.fetch_add(1, std::memory_order_relaxed))
+        body(i, worker);
+    } catch (...) {
+      next.store(count, std::memory_order_relaxed);
+      const std::scoped_lock lock(mutex);
+      if (!error) error = std::current_exception();
+    }
+  };
+  std::vector<std::jthread> others;
   try {
-    for (int i = 1; i < threads; ++i) others_.emplace_back([this, i] { serve(static_cast<size_t>(i)); });
+    for (int i = 1; i < threads; ++i) others.emplace_back(work, static_cast<size_t>(i));
   } catch (...) {
-    end();  // those that did start would be waited for in vain
+    next.store(count, std::memory_order_relaxed);  // those that did start have nothing left to do
     throw;
   }
+  work(0);
+  others.clear();  // waits for them
+  if (error) std::rethrow_exception(error);
 }
-
-WorkTeam::~WorkTeam() { end(); }
-
-void WorkTeam::end() {
-  {
-    const std::scoped_lock lock(mutex_);
-    ends_ = true;
-  }
-  wake_.notify_all();
-}
-
-void WorkTeam::run(size_t count, const Body& body) {
-  Run run;
-  {
-    const std::scoped_lock lock(mutex_);
-    next_.store(0, std::memory_order_relaxed);  // nobody is inside; who joins takes the lock
-    run_ = run = {&body, count, run_.number + 1};
-  }
-  wake_.notify_all();
-  take_items(run, 0);
-  std::unique_lock lock(mutex_);
-  run_.body = nullptr;  // who wakes up only now has nothing to do, and is not waited for
-  left_.wait(lock, [this] { return inside_ == 0; });
-  if (const std::exception_ptr error = std::exchange(error_, nullptr)) std::rethrow_exception(error);
-}
-
-void WorkTeam::serve(size_t worker) {
-  std::unique_lock lock(mutex_);
-  for (size_t last = 0;;) {
-    wake_.wait(lock, [&] { return ends_ || (run_.body && run_.number != last); });
-    if (ends_) return;
-    const Run run = run_;
-    last = run.number;
-    ++inside_;
-    lock.unlock();
-    take_items(run, worker);
-    lock.lock();
-    if (--inside_ == 0) left_.notify_one();
-  }
-}
-
-void WorkTeam::take_items(const Run& run, size_t worker) {
-  try {
-    // Relaxed: who gets which number is all that is asked; the lock orders what the bodies wrote.
-    for (size_t i = next_.fetch_add(1, std::memory_order_relaxed); i < run.count;
-         i = next_.fetch_add(1, std::memory_order_relaxed))
-      (*run.body)(i, worker);
-  } catch (...) {
-    next_.store(run.count, std::memory_order_relaxed);
-    const std::scoped_lock lock(mutex_);
-    if (!error_) error_ = std::current_exception();
-  }
-}
-
-void share_work(int threads, size_t count, const WorkTeam::Body& body) { WorkTeam(threads).run(count, body); }
 
 }  // namespace raysweep
