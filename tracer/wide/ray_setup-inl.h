@@ -69,6 +69,28 @@ HWY_INLINE OfSlots load_by_slot(const char* slots, const uint32_t* offsets, Fiel
           hn::InterleaveLower(d, zw_even, zw_odd), hn::InterleaveUpper(d, zw_even, zw_odd)};
 }
 
+/// Stores x, y, z and w of each lane in its slot: the four numbers that begin at `field`.
+template <class D, class Field>
+HWY_INLINE void store_by_slot(D d, char* slots, const uint32_t* offsets, Field Slot::*field, hn::Vec<D> x,
+                              hn::Vec<D> y, hn::Vec<D> z, hn::Vec<D> w) {
+  const auto at = [&](size_t lane) HWY_ATTR {
+    return reinterpret_cast<float*>(&(reinterpret_cast<Slot*>(slots + offsets[lane])->*field));
+  };
+  const auto xz_low = hn::InterleaveLower(d, x, z), xz_high = hn::InterleaveUpper(d, x, z),
+             yw_low = hn::InterleaveLower(d, y, w), yw_high = hn::InterleaveUpper(d, y, w);
+  const hn::Vec<D> rows[4] = {hn::InterleaveLower(d, xz_low, yw_low), hn::InterleaveUpper(d, xz_low, yw_low),
+                              hn::InterleaveLower(d, xz_high, yw_high),
+                              hn::InterleaveUpper(d, xz_high, yw_high)};
+  for (size_t i = 0; i < 4; ++i) {
+    if constexpr (hn::MaxLanes(D()) == 4) {
+      hn::Store(rows[i], Axes(), at(i));
+    } else {
+      hn::Store(hn::LowerHalf(Axes(), rows[i]), Axes(), at(i));
+      hn::Store(hn::UpperHalf(Axes(), rows[i]), Axes(), at(i + 4));
+    }
+  }
+}
+
 /// The ray of a slot for what is computed outside of lanes.
 struct RayOfSlot {
   Ray<float> ray;
