@@ -46,11 +46,13 @@ TEST(peers, refuses_a_scene_without_triangles) {
   }
 }
 
+ForEach alone(int) { return one_after_the_other; }
+
 TEST(peers, our_team_finds_what_the_oracle_finds) {
   const Scene scene = triangles_alone(load_scene("chair-ball"));
   const OracleCore oracle = make_oracle(scene);
   const RobustOracleCore robust_oracle = make_robust_oracle(scene);
-  const Team team = make_our_team(scene);
+  const Team team = make_our_team(scene, alone);
   for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::mirror, RayKind::diffuse}) {
     const RayBatch rays = make_rays(kind, scene, oracle, 64, 48, 1);
     for (const Entrant& entrant : team.entrants) {
@@ -83,7 +85,7 @@ TEST(peers, in_our_team_who_is_robust_lets_no_ray_pass_at_an_edge) {
     rays.set(i, ray_towards<float>({0.1, 0.2, 0.3}, point_on_border(mesh, triangle, random)));
   }
   size_t robust_count = 0;
-  const Team team = make_our_team(scene);
+  const Team team = make_our_team(scene, alone);
   for (const Entrant& entrant : team.entrants) {
     entrant.contestant->prepare(rays, false);
     entrant.contestant->run();
