@@ -1,12 +1,16 @@
+#include <algorithm>
+
 #include "tracer/accel/parts.h"
 
 namespace raysweep {
 
 namespace {
 
-/// Many references are looked at in pieces of this many: enough to make handing out cheap, and they stay in
-/// the nearest caches.
-constexpr uint32_t chunk_size = 4096;
+/// References are looked at in pieces of so many that handing out is cheap, of so few that they stay in the
+/// nearest caches, and that even a small scene makes some.
+constexpr uint32_t chunk_size_of(size_t count) {
+  return std::clamp<uint32_t>(static_cast<uint32_t>(count / 8), 1024, 4096);
+}
 
 /// References of one part that one body works on, with what it finds.
 template <class T>
@@ -34,7 +38,10 @@ template <class T>
 class Builder {
  public:
   Builder(std::span<const Box<T>> items, int leaf_size, int block, const ForEach& for_each)
-      : items_(items), for_each_(for_each), parts_(items.size(), leaf_size, block) {
+      : items_(items),
+        for_each_(for_each),
+        chunk_size_(chunk_size_of(items.size())),
+        parts_(items.size(), leaf_size, block) {
     tree_.order.resize(items.size());
     tree_.nodes.emplace_back();
   }
@@ -42,7 +49,7 @@ class Builder {
   [[nodiscard]] Hierarchy<T> run() {
     constexpr size_t enough_subtrees = 64;
     const auto subtree_size =
-        std::max<uint32_t>(chunk_size, static_cast<uint32_t>(items_.size() / enough_subtrees));
+        std::max<uint32_t>(chunk_size_, static_cast<uint32_t>(items_.size() / enough_subtrees));
     std::vector<Part<T>> level{root()};
     while (!level.empty()) {
       std::vector<Cut<T>> cuts;
@@ -64,8 +71,8 @@ class Builder {
     const auto count = static_cast<uint32_t>(items_.size());
     Part<T> root = Part<T>::of(0, count, 0, 0);
     std::vector<Part<T>> pieces;
-    for (uint32_t begin = 0; begin < count; begin += chunk_size)
-      pieces.push_back(Part<T>::of(begin, std::min(count, begin + chunk_size), 0, 0));
+    for (uint32_t begin = 0; begin < count; begin += chunk_size_)
+      pieces.push_back(Part<T>::of(begin, std::min(count, begin + chunk_size_), 0, 0));
     for_each_(pieces.size(), [&](size_t i) {
       Part<T>& piece = pieces[i];
       const auto references = parts_.references(piece);
@@ -87,8 +94,8 @@ class Builder {
     std::vector<Chunk<T>> chunks;
     for (size_t i = 0; i < cuts.size(); ++i) {
       const Part<T>& part = cuts[i].part;
-      for (uint32_t begin = part.begin; begin < part.end; begin += chunk_size)
-        chunks.push_back({i, begin, std::min(part.end, begin + chunk_size)});
+      for (uint32_t begin = part.begin; begin < part.end; begin += chunk_size_)
+        chunks.push_back({i, begin, std::min(part.end, begin + chunk_size_)});
     }
     for_each_(chunks.size(), [&](size_t i) {
       Chunk<T>& chunk = chunks[i];
@@ -194,6 +201,7 @@ class Builder {
 
   std::span<const Box<T>> items_;
   const ForEach& for_each_;
+  const uint32_t chunk_size_;
   Parts<T> parts_;
   std::vector<Part<T>> subtrees_;
   Hierarchy<T> tree_;

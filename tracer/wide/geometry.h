@@ -19,7 +19,7 @@ struct WideGeometry {
   WideGeometry(const Primitives<float, Method>& shapes, WideTree<width> built,
                const ForEach& for_each = one_after_the_other)
       : primitives(&shapes), tree(std::move(built)), blocks(tree.block_goes_on.size()) {
-    constexpr size_t chunk_size = 1024;
+    constexpr size_t chunk_size = 128;
     for_each((blocks.size() + chunk_size - 1) / chunk_size, [&](size_t chunk) {
       const size_t end = std::min((chunk + 1) * chunk_size, blocks.size());
       for (size_t b = chunk * chunk_size; b < end; ++b) fill(b);
