@@ -49,18 +49,10 @@ HWY_INLINE AxisLanes point_of(const float (*rows)[width], size_t lane) {
   return hn::InsertLane(hn::InsertLane(hn::Set(d, rows[0][lane]), 1, rows[1][lane]), 2, rows[2][lane]);
 }
 
-/// A hit of one regular ray and one triangle at `t`, with what decides whether it counts.
-struct FoundHit {
-  AxisLanes enter, leave;   // of the triangle's box, by axis
-  AxisLanes side, towards;  // products of the normal, by axis: with the origin seen from A, and the direction
-  bool is_ahead;            // by its corners
-  float t;
-};
-
-/// Primitives::accept_triangle as `accept` does it, but with x, y and z side by side: up to where axes come
-/// together.
+/// Primitives::accept_triangle as `accept` does it, but with x, y and z side by side: the distance at which
+/// one regular ray's hit of one triangle at `t` counts, or NaN.
 template <class Method, class Block>
-HWY_INLINE FoundHit examine(const OneRay& ray, const Block& block, size_t lane, float t) {
+HWY_INLINE float accepted_at(const OneRay& ray, const Block& block, size_t lane, float t) {
   const Axes d;
   const AxisLanes a = point_of(block.corners, lane), b = point_of(block.corners + 3, lane),
                   c = point_of(block.corners + 6, lane), normal = point_of(block.normal, lane);
@@ -69,34 +61,23 @@ HWY_INLINE FoundHit examine(const OneRay& ray, const Block& block, size_t lane, 
       hn::Mul(hn::MaxOfLanes(d, hn::Max(hn::Abs(least), hn::Abs(most))), hn::Set(d, box_padding<float>));
   const AxisLanes lower = hn::Mul(hn::Sub(hn::Sub(least, by), ray.origin), ray.reciprocal),
                   upper = hn::Mul(hn::Sub(hn::Add(most, by), ray.origin), ray.reciprocal);
-  bool is_ahead = false;
+  const float enter = std::max(hn::GetLane(hn::MaxOfLanes(d, hn::Min(lower, upper))), 0.0f);
+  const float leave = hn::GetLane(hn::MinOfLanes(d, hn::Max(lower, upper))) * slab_widening<float>;
+  const float held = std::min(std::max(t, enter), leave);
+  const auto sum = [](AxisLanes products) HWY_ATTR {  // as `dot` adds
+    return hn::GetLane(products) + hn::ExtractLane(products, 1) + hn::ExtractLane(products, 2);
+  };
+  const float side = sum(hn::Mul(normal, hn::Sub(ray.origin, a))),
+              towards = sum(hn::Mul(normal, ray.direction));
+  bool is_ahead = ((side > 0) & (towards < 0)) | ((side < 0) & (towards > 0));
   if constexpr (Method::is_watertight) {
     const AxisLanes zero = hn::Zero(d);
     const uint32_t axes = bits_of(hn::Or(hn::And(hn::Gt(ray.direction, zero), hn::Gt(least, ray.origin)),
                                          hn::And(hn::Lt(ray.direction, zero), hn::Lt(most, ray.origin))));
     const bool is_degenerate = hn::AllFalse(d, hn::Ne(normal, zero));
-    is_ahead = ((axes >> ray.longest_axis) & 1) != 0 && !is_degenerate;
+    is_ahead |= ((axes >> ray.longest_axis) & 1) != 0 && !is_degenerate;
   }
-  return {hn::Min(lower, upper),
-          hn::Max(lower, upper),
-          hn::Mul(normal, hn::Sub(ray.origin, a)),
-          hn::Mul(normal, ray.direction),
-          is_ahead,
-          t};
-}
-
-/// The distance at which it counts, or NaN.
-HWY_INLINE float accepted_at(const FoundHit& hit) {
-  const Axes d;
-  const auto sum = [](AxisLanes products) HWY_ATTR {  // as `dot` adds
-    return hn::GetLane(products) + hn::ExtractLane(products, 1) + hn::ExtractLane(products, 2);
-  };
-  const float enter = std::max(hn::GetLane(hn::MaxOfLanes(d, hit.enter)), 0.0f);
-  const float leave = hn::GetLane(hn::MinOfLanes(d, hit.leave)) * slab_widening<float>;
-  const float held = std::min(std::max(hit.t, enter), leave);
-  const float side = sum(hit.side), towards = sum(hit.towards);
-  const bool is_ahead = hit.is_ahead | ((side > 0) & (towards < 0)) | ((side < 0) & (towards > 0));
-  const bool is_held = (hit.t > 0) & (enter <= leave) & (held > 0);
+  const bool is_held = (t > 0) & (enter <= leave) & (held > 0);
   return (is_ahead & is_held) ? held : std::numeric_limits<float>::quiet_NaN();
 }
 
@@ -117,7 +98,7 @@ HWY_INLINE Hit<float> nearest_triangle(const Primitives<float, Method>& primitiv
   Hit<float> nearest = Hit<float>::none();
   for (uint32_t left = hits_at(distances); left != 0; left &= left - 1) {
     const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-    const Hit<float> found{accepted_at(examine<Method>(ray, block, lane, distances[lane])), block.id[lane]};
+    const Hit<float> found{accepted_at<Method>(ray, block, lane, distances[lane]), block.id[lane]};
     if (found.before(nearest)) nearest = found;
   }
   if constexpr (Method::is_watertight) {

@@ -166,7 +166,7 @@ TEST(collapse, items_in_one_place_share_a_leaf_of_several_blocks) {
   EXPECT_EQ(walk.leaf_count(), 2u) << "one of spheres, one of triangles";
 }
 
-/// The walls of a room, each with a box as large as half of it or more, and what is inside.
+/// A box as large as a room, and what is inside.
 TEST(collapse, children_larger_than_half_of_their_node_come_first) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     std::vector<Box<float>> boxes = random_boxes(200, seed);
