@@ -177,7 +177,7 @@ class Collapser {
     for_each_(parts.size(), [&](size_t i) { parts[i].emit_all(roots[i]); });
     WideTree<width> tree = join(std::move(top.tree), roots, parts);
     tree.cost = plan_.cost() / static_cast<double>(binary_.nodes[0].box.half_area());
-    tree.bounds = binary_.nodes[0].box;
+    tree.bounds = widened(binary_.nodes[0].box);
     tree.is_cut = binary_.order.size() > items_.boxes.size();
     return tree;
   }

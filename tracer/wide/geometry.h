@@ -29,6 +29,9 @@ struct WideGeometry {
     tree.block_goes_on = std::vector<uint8_t>();
   }
 
+  /// Whether hits begin in kernels: nobody has asked planes before, as there are none.
+  [[nodiscard]] bool begins_hits() const { return primitives->first_sphere() == 0; }
+
  private:
   void fill(size_t b) {
     blocks[b] = Block{};

@@ -24,12 +24,12 @@ class HitLooks {
 
   /// Looks at the candidates of the first `count` slots of a vector of `candidates`. Writes vectors of slots,
   /// the first one instead of others, and of what their rays want.
-  HWY_INLINE void look_at(char* slots, const uint32_t* candidates, uint32_t count, uint32_t* offsets,
-                          uint32_t* wanted) const {
+  HWY_INLINE void look_at(char* slots, char* distances, const uint32_t* candidates, uint32_t count,
+                          uint32_t* offsets, uint32_t* wanted) const {
     const Words dw;
     const auto is_there = hn::Lt(count_from(0), hn::Set(dw, count));
     hn::Store(hn::IfThenElse(is_there, hn::Load(dw, candidates), hn::Set(dw, candidates[0])), dw, offsets);
-    const Hits hits = find(slots, offsets);
+    const Hits hits = find(slots, distances, offsets);
     const uint32_t nearer = keep_nearer(hits, slots, offsets);
     for (uint32_t i = 0; i < count; ++i) {
       Slot& slot = slot_at(slots, offsets[i]);
@@ -46,7 +46,7 @@ class HitLooks {
     for (uint32_t left = hits.others & ((1u << count) - 1); left != 0; left &= left - 1) {
       const size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
       Slot& slot = slot_at(slots, offsets[i]);
-      wanted[i] = keep(nearest_of(slot), slot);
+      wanted[i] = keep(nearest_of(slot, Distances::of(offsets[i], distances).t), slot);
     }
   }
 
@@ -63,20 +63,21 @@ class HitLooks {
     uint32_t others;
   };
 
-  HWY_INLINE Hits find(char* slots, const uint32_t* offsets) const {
+  HWY_INLINE Hits find(char* slots, char* distances, const uint32_t* offsets) const {
     const Floats d;
     const float* corner[lane_count];
     const float* distance[lane_count];
     uint32_t others = 0;
     for (uint32_t i = 0; i < lane_count; ++i) {
       const Slot& slot = slot_at(slots, offsets[i]);
-      const uint32_t hits = hits_at(slot.distances),
-                     more = (hits & (hits - 1)) | (hits == 0 ? 1u : 0u) | slot.is_flat |
-                            (Method::is_watertight ? undecided_at(slot.distances) : 0);
+      const float* const of_slot = Distances::of(offsets[i], distances).t;
+      const uint32_t hits = hits_at(of_slot), more = (hits & (hits - 1)) | (hits == 0 ? 1u : 0u) |
+                                                     slot.is_flat |
+                                                     (Method::is_watertight ? undecided_at(of_slot) : 0);
       others |= (more != 0 ? 1u : 0u) << i;
       const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(hits | 1u << (lane_count - 1));
       corner[i] = blocks_[slot.block].corners[0] + lane;
-      distance[i] = slot.distances + lane;
+      distance[i] = of_slot + lane;
     }
     const auto row = [&](size_t number) HWY_ATTR { return gather(Floats(), corner, number * lane_count); };
     const auto point = [&](size_t first) HWY_ATTR {
@@ -96,32 +97,31 @@ class HitLooks {
   HWY_INLINE static uint32_t keep_nearer(const Hits& found, char* slots, const uint32_t* offsets) {
     const Floats d;
     const Words dw;
-    const auto [limit, t, id, ray] = load_by_slot(slots, offsets, &Slot::limit);
+    const auto [y, z, t, id] = load_by_slot(slots, offsets, &Slot::reciprocal, 1);
     LaneMask is_nearer = hn::Lt(found.hits.t, t);
     if constexpr (!any)
       is_nearer = hn::Or(is_nearer, hn::And(hn::Eq(found.hits.t, t),
                                             hn::RebindMask(d, hn::Lt(found.id, hn::BitCast(dw, id)))));
     is_nearer = hn::AndNot(mask_of(found.others), hn::And(is_nearer, found.hits.accepted));
-    const FloatLanes nearest = hn::IfThenElse(is_nearer, found.hits.t, t);
-    store_by_slot(d, slots, offsets, &Slot::limit, hn::Mul(nearest, hn::Set(d, widening)), nearest,
-                  hn::IfThenElse(is_nearer, hn::BitCast(d, found.id), id), ray);
+    store_by_slot(d, slots, offsets, &Slot::reciprocal, 1, y, z, hn::IfThenElse(is_nearer, found.hits.t, t),
+                  hn::IfThenElse(is_nearer, hn::BitCast(d, found.id), id));
     return bits_of(is_nearer);
   }
 
   /// What lies behind the hit.
   HWY_INLINE void cut_off(Slot& slot) const {
-    stacks_.shorten_after_block(slot, slot.limit, blocks_[slot.block].more);
+    stacks_.shorten_after_block(slot, slot.t * widening, blocks_[slot.block].more);
   }
 
   /// The first hit of the block's candidates, whatever they are.
-  HWY_NOINLINE HWY_ATTR Hit<float> nearest_of(const Slot& slot) const {
+  HWY_NOINLINE HWY_ATTR Hit<float> nearest_of(const Slot& slot, const float* distances) const {
     const Block& block = blocks_[slot.block];
     if (block.id[0] < primitives_.first_triangle()) return nearest_sphere(slot, block);
-    if (slot.is_flat != 0) return nearest_of_flat(slot, block);
-    const Axes d;
-    const OneRay ray{hn::Load(d, slot.origin), hn::Load(d, slot.direction), hn::Load(d, slot.reciprocal),
+    if (slot.is_flat != 0) return nearest_of_flat(slot, block, distances);
+    const auto by_axis = [](const float* v) HWY_ATTR { return hn::InsertLane(hn::Load(Axes(), v), 3, v[0]); };
+    const OneRay ray{by_axis(slot.origin), by_axis(slot.direction), by_axis(slot.reciprocal),
                      slot.longest_axis};
-    return nearest_triangle(primitives_, block, ray, slot.distances);
+    return nearest_triangle(primitives_, block, ray, distances);
   }
 
   /// What the ray needs next.
@@ -130,15 +130,14 @@ class HitLooks {
     slot.t = hit.t;
     slot.id = hit.id;
     if constexpr (any) return sentinel;
-    slot.limit = slot.t * widening;
     cut_off(slot);
     return slot.current;
   }
 
-  HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block) const {
+  HWY_INLINE Hit<float> nearest_of_flat(const Slot& slot, const Block& block, const float* distances) const {
     const RayOfSlot ray(slot);
-    return nearest_one_by_one(primitives_, block, ray.ray, ray.slab_ray, slot.distances,
-                              hits_at(slot.distances) | undecided_at(slot.distances), Hit<float>::none());
+    return nearest_one_by_one(primitives_, block, ray.ray, ray.slab_ray, distances,
+                              hits_at(distances) | undecided_at(distances), Hit<float>::none());
   }
 
   HWY_INLINE Hit<float> nearest_sphere(const Slot& slot, const Block& block) const {

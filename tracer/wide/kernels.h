@@ -37,6 +37,8 @@ class KernelScratch {
   std::vector<uint32_t> left_over;
   /// First rays of the groups of `packet_size` that were traced one ray at a time.
   std::vector<uint32_t> groups;
+  /// Those of them that hold flat rays.
+  std::vector<uint32_t> flat_groups;
   /// Of all batches so far.
   [[no_unique_address]] VisitCounts visits;
 
@@ -51,9 +53,10 @@ class KernelScratch {
 };
 
 /// For each ray the nearest hit before the one that `hits` holds already (a distance with no id is a limit),
-/// or, of the kernel `any`, some hit nearer than that distance. Rays with a component of the direction
-/// that is 0 or beyond 2^±60, with an origin beyond 2^60, or with numbers that are not finite are listed in
-/// `scratch.left_over` and keep their hits.
+/// or, of the kernel `any`, some hit nearer than that distance. Where the geometry begins hits, what they
+/// hold is lost: a ray's `t_max` is its limit. Rays with a component of the direction that is 0 or beyond
+/// 2^±60, with an origin beyond 2^60, or with numbers that are not finite are listed in `scratch.left_over`
+/// and keep their hits.
 template <class Method, int width>
 using BatchKernel = void (*)(const WideGeometry<Method, width>& geometry, const RayBatch& rays,
                              HitBatch& hits, KernelScratch& scratch);

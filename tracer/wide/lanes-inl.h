@@ -120,6 +120,27 @@ HWY_INLINE hn::Vec<D> gather(D d, const float* const* from, size_t at) {
   }
 }
 
+/// Eight numbers in memory, aligned as vectors are; each in all lanes.
+class EachOfEight {
+#if HWY_TARGET == HWY_AVX3
+  // No more than two vectors can be loaded in a cycle, of which planes take enough; of registers for
+  // permutations there are enough.
+ public:
+  HWY_INLINE explicit EachOfEight(const float* numbers) : numbers_(hn::Load(Floats(), numbers)) {}
+  HWY_INLINE FloatLanes operator[](uint32_t i) const { return permute(numbers_, hn::Set(Words(), i)); }
+
+ private:
+  FloatLanes numbers_;
+#else
+ public:
+  HWY_INLINE explicit EachOfEight(const float* numbers) : numbers_(numbers) {}
+  HWY_INLINE FloatLanes operator[](uint32_t i) const { return hn::Set(Floats(), numbers_[i]); }
+
+ private:
+  const float* numbers_;
+#endif
+};
+
 /// As many lanes as can be compacted at once.
 inline constexpr int lanes_compacted = HWY_TARGET == HWY_AVX3 ? 16 : lane_count;
 

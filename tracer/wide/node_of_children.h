@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "tracer/accel/references.h"
+#include "tracer/accel/triangle_face.h"
 #include "tracer/wide/wide_tree.h"
 
 namespace raysweep {
@@ -64,13 +66,24 @@ void set_far_to_near(const std::array<Vec3<float>, width>& centres, size_t count
   }
 }
 
+/// A box whose planes lie by 4 units of rounding further out, so that kernels may compare rays with them less
+/// exactly; what is added outweighs underflow where rays are regular. An empty box stays as it is.
+[[nodiscard]] inline Box<float> widened(const Box<float>& box) {
+  if (box.lower().x > box.upper().x) return box;
+  const auto by = [](const Vec3f& planes) {
+    const auto of = [](float plane) { return std::abs(plane) * (4 * unit_roundoff<float>)+0x1p-85f; };
+    return Vec3f(of(planes.x), of(planes.y), of(planes.z));
+  };
+  return {{box.lower() - by(box.lower()), box.upper() + by(box.upper())}};
+}
+
 /// Slots without a child hold an empty box and the sentinel.
 template <int width>
 [[nodiscard]] WideNode<width> node_of(const Children<width>& children) {
   WideNode<width> n;
   std::array<Vec3<float>, width> centres;
   for (size_t i = 0; i < width; ++i) {
-    const Box<float> box = i < children.count ? children.box[i] : Box<float>{};
+    const Box<float> box = i < children.count ? widened(children.box[i]) : Box<float>();
     for (int axis = 0; axis < 3; ++axis) {
       n.bounds[axis][0][i] = box.lower()[axis];
       n.bounds[axis][1][i] = box.upper()[axis];

@@ -66,12 +66,7 @@ inline constexpr uint32_t packets_in_flight = 24;
 
 struct alignas(64) Packet : StackPlace {
   alignas(64) PacketRows origin, direction, reciprocal;
-  /// A ray meets planes at t = plane·reciprocal + offset, and Slot tells how far on the safe side each has to
-  /// be moved: let e be the most of its axes. Then a box is met where max(enter) − e ≤ (min(leave) + e)·w, w
-  /// for widening. Here one row stands for both ends: max(enter) ≤ min(leave)·w + slack, slack = 3e, of which
-  /// the third e is more than widening takes; limits are compared in the same way.
-  PacketRows offset;
-  float slack[packet_size];
+  PacketRows offset;     // a ray meets planes at t = plane·reciprocal + offset, as in Slot
   float t[packet_size];  // nearest hits so far; any: negative where one is known
   uint32_t id[packet_size];
   // For methods that shear: how much, and the longest axes of directions.
@@ -110,8 +105,8 @@ struct alignas(64) Packet : StackPlace {
 
 /// The rays that meet a box before `t`, a bit each. `plane(axis, side)`: its lower or upper bound.
 template <class Plane>
-HWY_INLINE uint32_t rays_that_meet(const Lanes3<RayTag>& reciprocal, const Lanes3<RayTag>& offset,
-                                   RayLanes slack, RayLanes t, const Plane& plane) {
+HWY_INLINE uint32_t rays_that_meet(const Lanes3<RayTag>& reciprocal, const Lanes3<RayTag>& offset, RayLanes t,
+                                   const Plane& plane) {
   const RayTag d;
   const auto meet = [&](size_t axis, size_t side, RayLanes slope, RayLanes from)
                         HWY_ATTR { return hn::MulAdd(hn::Set(RayTag(), plane(axis, side)), slope, from); };
@@ -121,7 +116,7 @@ HWY_INLINE uint32_t rays_that_meet(const Lanes3<RayTag>& reciprocal, const Lanes
   const RayLanes enter =
       hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(d)));
   const RayLanes leave = hn::Min(hn::Max(x0, x1), hn::Min(hn::Max(y0, y1), hn::Max(z0, z1)));
-  return bits_of(hn::Le(enter, hn::MulAdd(hn::Min(leave, t), hn::Set(d, widening), slack)));
+  return bits_of(hn::Le(enter, hn::Mul(hn::Min(leave, t), hn::Set(d, widening))));
 }
 template <class Plane>
 HWY_INLINE uint32_t rays_that_meet(const Packet& packet, const Plane& plane) {
@@ -129,7 +124,7 @@ HWY_INLINE uint32_t rays_that_meet(const Packet& packet, const Plane& plane) {
   uint32_t bits = 0;
   for (size_t at = 0; at < packet_size; at += rays_at_once)
     bits |= rays_that_meet(load_rays(packet.reciprocal, at), load_rays(packet.offset, at),
-                           hn::Load(d, packet.slack + at), hn::Load(d, packet.t + at), plane)
+                           hn::Load(d, packet.t + at), plane)
             << at;
   return bits;
 }
@@ -143,16 +138,15 @@ HWY_INLINE Meeting meet_of_ray(const Packet& packet, size_t ray, const WideNode<
     return hn::MulAdd(row(axis, side), hn::Set(Floats(), packet.reciprocal[axis][ray]),
                       hn::Set(Floats(), packet.offset[axis][ray]));
   };
-  const FloatLanes slack = hn::Set(d, packet.slack[ray]);
   const FloatLanes x0 = meet(0, 0), x1 = meet(0, 1), y0 = meet(1, 0), y1 = meet(1, 1), z0 = meet(2, 0),
                    z1 = meet(2, 1);
   const FloatLanes enter =
       hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(d)));
   const FloatLanes leave = hn::Min(hn::Max(x0, x1), hn::Min(hn::Max(y0, y1), hn::Max(z0, z1)));
-  const FloatLanes limit = hn::MulAdd(hn::Min(leave, hn::Set(d, packet.t[ray])), hn::Set(d, widening), slack);
+  const FloatLanes limit = hn::Mul(hn::Min(leave, hn::Set(d, packet.t[ray])), hn::Set(d, widening));
   // The planes of a child that is not there are in reverse order.
   const LaneMask is_there = hn::Le(row(0, 0), row(0, 1));
-  return {hn::Sub(enter, slack), hn::And(hn::Le(enter, limit), is_there)};
+  return {enter, hn::And(hn::Le(enter, limit), is_there)};
 }
 
 /// The octant that a ray goes to, as in WideNode::far_to_near.

@@ -25,14 +25,19 @@ enum class Loaded { ready, misses_everything, irregular };
 template <bool any>
 class PacketLoader {
  public:
-  HWY_INLINE PacketLoader(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds)
+  HWY_INLINE PacketLoader(const RayBatch& rays, HitBatch& hits, const Box<float>& bounds, bool begins_hits)
       : rays_(rays),
         hits_(hits),
         bounds_(bounds),
+        begins_hits_(begins_hits),
         size_(std::max(max_abs(bounds.lower()), max_abs(bounds.upper()))) {}
 
   /// Loads rays `first` and following into `packet`, if they are regular and some may meet something.
   HWY_INLINE Loaded load(Packet& packet, size_t first) const {
+    if (begins_hits_) {
+      for (size_t at = 0; at < packet_size; at += rays_at_once)
+        begin_hits(RayTag(), rays_, hits_, first + at);
+    }
     if (!are_regular(first)) return Loaded::irregular;
     Rays rays[packet_size / rays_at_once];
     uint32_t meeting = 0;
@@ -67,7 +72,7 @@ class PacketLoader {
 
   struct Rays {
     Lanes3<RayTag> origin, direction, reciprocal, offset;
-    RayLanes slack, t;
+    RayLanes t;
   };
 
   /// Whether any meets the box around everything. Of the packet only hits are set: those at hand.
@@ -77,12 +82,10 @@ class PacketLoader {
     const RayLanes one = hn::Set(d, 1.0f);
     rays.origin = load(rays_.origin_x, rays_.origin_y, rays_.origin_z, first);
     rays.direction = load(rays_.direction_x, rays_.direction_y, rays_.direction_z, first);
-    const auto& [from, along, reciprocal, offset, slack, t] = rays;
+    const auto& [from, along, reciprocal, offset, t] = rays;
     rays.reciprocal = {hn::Div(one, along.x), hn::Div(one, along.y), hn::Div(one, along.z)};
     rays.offset = {hn::Neg(hn::Mul(from.x, reciprocal.x)), hn::Neg(hn::Mul(from.y, reciprocal.y)),
                    hn::Neg(hn::Mul(from.z, reciprocal.z))};
-    const RayLanes worst = hn::Max(hn::Max(hn::Abs(offset.x), hn::Abs(offset.y)), hn::Abs(offset.z));
-    rays.slack = hn::MulAdd(worst, hn::Set(d, 3 * offset_error), hn::Set(d, 3 * smallest));
     rays.t = hn::Load(d, hits_.t.data() + first);
     const auto id = hn::Load(dw, hits_.id.data() + first);
     if constexpr (any)
@@ -90,7 +93,7 @@ class PacketLoader {
     hn::Store(id, dw, packet.id + at);
     const auto bound = [this](size_t axis, size_t side)
                            HWY_ATTR { return bounds_.bounds[side][static_cast<int>(axis)]; };
-    return rays_that_meet(reciprocal, offset, slack, t, bound);
+    return rays_that_meet(reciprocal, offset, t, bound);
   }
 
   HWY_INLINE static void store(const Rays& rays, Packet& packet, size_t at) {
@@ -99,7 +102,6 @@ class PacketLoader {
     store(rays.direction, packet.direction, at);
     store(rays.reciprocal, packet.reciprocal, at);
     store(rays.offset, packet.offset, at);
-    hn::Store(rays.slack, d, packet.slack + at);
     hn::Store(rays.t, d, packet.t + at);
   }
 
@@ -172,8 +174,9 @@ class PacketLoader {
   }
 
   const RayBatch& rays_;
-  const HitBatch& hits_;
+  HitBatch& hits_;
   const Box<float>& bounds_;
+  const bool begins_hits_;
   const float size_;  // of the scene: its largest coordinate
 };
 

@@ -40,7 +40,7 @@ class Packets {
         ray_count_(rays.size),
         alone_(scratch.groups),
         count_(scratch.visits),
-        loader_(rays, hits, geometry.tree.bounds),
+        loader_(rays, hits, geometry.tree.bounds, geometry.begins_hits()),
         choice_(scratch.choice(any)),
         leaves_(geometry, scratch) {
     const size_t stack_size = Stacks::size_for(geometry.tree);

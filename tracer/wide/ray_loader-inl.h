@@ -13,17 +13,20 @@ namespace raysweep {
 namespace HWY_NAMESPACE {
 
 /// Chooses rays of a batch that may meet something, from the groups of `packet_size` that `scratch` lists,
-/// and makes them ready.
+/// and makes them ready: first all but the flat ones, whose groups it lists, then these.
 template <class Method, bool any>
 class RayLoader {
  public:
-  HWY_INLINE RayLoader(const RayBatch& rays, const HitBatch& hits, const Box<float>& bounds,
-                       KernelScratch& scratch)
+  HWY_INLINE RayLoader(const WideGeometry<Method, lane_count>& geometry, const RayBatch& rays, HitBatch& hits,
+                       KernelScratch& scratch, bool takes_flat)
       : rays_(rays),
         hits_(hits),
-        bounds_(bounds),
-        flat_axes_(bounds),
-        groups_(scratch.groups),
+        bounds_(geometry.tree.bounds),
+        flat_axes_(bounds_),
+        takes_flat_(takes_flat),
+        begins_hits_(!takes_flat && geometry.begins_hits()),
+        groups_(takes_flat ? scratch.flat_groups : scratch.groups),
+        flat_groups_(scratch.flat_groups),
         left_over_(scratch.left_over) {}
 
   /// Of all groups, of which only the last may lack some.
@@ -42,6 +45,7 @@ class RayLoader {
     const size_t first = groups_[next_ / packet_size] + next_ % packet_size;
     next_ += lane_count;
     if (first >= rays_.size) return 0;
+    if (begins_hits_) begin_hits(Floats(), rays_, hits_, first);
     const Rays rays = load(first);
     const LaneMask chosen = choose(rays, first);
     if (hn::AllFalse(Floats(), chosen)) return 0;
@@ -51,10 +55,15 @@ class RayLoader {
   }
 
  private:
-  /// What a ray's way to a plane across an axis is computed from: plane·reciprocal + offset ± error.
+  /// What a ray's way to a plane across an axis is computed from: plane·reciprocal + offset.
   struct Along {
-    FloatLanes reciprocal, offset, error;
+    FloatLanes reciprocal, offset;
     LaneMask is_flat;
+
+    /// How far offsets are to be moved to the safe side.
+    [[nodiscard]] HWY_INLINE FloatLanes way() const {
+      return hn::IfThenElseZero(is_flat, hn::Set(Floats(), FlatAxes::way));
+    }
   };
   struct Rays {
     Lanes3<Floats> origin, direction;
@@ -83,7 +92,7 @@ class RayLoader {
             count_from(static_cast<uint32_t>(first))};
   }
 
-  /// Those that may meet something. Others that are not regular are left over.
+  /// Those that may meet something and are to be taken. Rays that are not regular are left over.
   [[nodiscard]] HWY_INLINE LaneMask choose(const Rays& rays, size_t first) {
     const Floats d;
     const Words dw;
@@ -93,28 +102,39 @@ class RayLoader {
     if constexpr (any)
       is_there = hn::And(is_there, hn::RebindMask(d, hn::Eq(rays.id, hn::Set(dw, no_hit_id))));
     const Meets meets = meets_scene(rays);
+    const LaneMask due = hn::And(hn::And(meets.some, meets.is_regular), is_there);
+    const LaneMask flat = hn::And(due, rays.are_flat());
+    if (takes_flat_) return flat;
     for (uint32_t left = bits_of(hn::AndNot(meets.is_regular, is_there)); left != 0; left &= left - 1)
       left_over_.push_back(static_cast<uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(left)));
-    return hn::And(hn::And(meets.some, meets.is_regular), is_there);
+    if (!hn::AllFalse(d, flat)) {
+      const auto group = static_cast<uint32_t>(first - first % packet_size);
+      if (flat_groups_.empty() || flat_groups_.back() != group) flat_groups_.push_back(group);
+    }
+    return hn::AndNot(flat, due);
   }
 
-  HWY_INLINE static void set_slots(const Rays& rays, const Compaction& keep, char* slots,
-                                   const uint32_t* offsets) {
+  HWY_INLINE void set_slots(const Rays& rays, const Compaction& keep, char* slots,
+                            const uint32_t* offsets) const {
     const Floats d;
     const Words dw;
-    const auto set = [&](auto field, FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes more)
-                         HWY_ATTR { store_by_slot(Floats(), slots, offsets, field, x, y, z, more); };
+    const auto set = [&](auto field, size_t rows, FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes more)
+                         HWY_ATTR { store_by_slot(Floats(), slots, offsets, field, rows, x, y, z, more); };
     const auto number = [](auto v) HWY_ATTR { return hn::BitCast(Floats(), v); };
     const auto kept = [&keep](const Lanes3<Floats>& v) HWY_ATTR {
       return Lanes3<Floats>{keep(v.x), keep(v.y), keep(v.z)};
     };
     const Along &x = rays.x, &y = rays.y, &z = rays.z;
     const Lanes3<Floats> origin = kept(rays.origin), direction = kept(rays.direction),
-                         reciprocal = kept({x.reciprocal, y.reciprocal, z.reciprocal}),
-                         near = kept({hn::Sub(x.offset, x.error), hn::Sub(y.offset, y.error),
-                                      hn::Sub(z.offset, z.error)}),
-                         far = kept({hn::Add(x.offset, x.error), hn::Add(y.offset, y.error),
-                                     hn::Add(z.offset, z.error)});
+                         reciprocal = kept({x.reciprocal, y.reciprocal, z.reciprocal});
+    Lanes3<Floats> offset{x.offset, y.offset, z.offset};
+    if (takes_flat_) {
+      const Lanes3<Floats> far =
+          kept({hn::Add(x.offset, x.way()), hn::Add(y.offset, y.way()), hn::Add(z.offset, z.way())});
+      set(&Slot::far_offset, 0, far.x, far.y, far.z, far.x);
+      offset = {hn::Sub(x.offset, x.way()), hn::Sub(y.offset, y.way()), hn::Sub(z.offset, z.way())};
+    }
+    offset = kept(offset);
     FloatLanes longest_axis = hn::Zero(d);
     if constexpr (shears<Method>) {
       const LongestAxis<Floats> axis(direction);
@@ -122,27 +142,28 @@ class RayLoader {
       const auto shear = [&](FloatLanes v, float number_of) HWY_ATTR {
         return hn::IfThenElse(hn::Eq(which, hn::Set(Floats(), number_of)), inverse, hn::Mul(v, inverse));
       };
-      set(&Slot::shear, shear(direction.x, 0), shear(direction.y, 1), shear(direction.z, 2), inverse);
+      set(&Slot::shear, 0, shear(direction.x, 0), shear(direction.y, 1), shear(direction.z, 2), inverse);
       longest_axis = number(hn::ConvertTo(hn::RebindToSigned<Floats>(), which));
     }
     const auto falls = [](FloatLanes v) HWY_ATTR { return hn::ShiftRight<31>(hn::BitCast(Words(), v)); };
     const WordLanes falls_x = falls(direction.x), falls_y = falls(direction.y), falls_z = falls(direction.z),
                     octant = hn::Add(falls_x, hn::Add(hn::ShiftLeft<1>(falls_y), hn::ShiftLeft<2>(falls_z)));
+    // A byte each of one number.
     constexpr int row_bits = lane_count == 8 ? 5 : 4;
     static_assert(lane_count * sizeof(float) == 1u << row_bits);
-    const auto plane = [&](uint32_t row, WordLanes rows_up) HWY_ATTR {
-      return number(hn::Add(hn::Set(Words(), row << row_bits), hn::ShiftLeft<row_bits>(rows_up)));
-    };
-    constexpr auto orders = static_cast<uint32_t>(offsetof(WideNode<lane_count>, far_to_near));
-    const FloatLanes t = keep(rays.t);
-    set(&Slot::reciprocal, reciprocal.x, reciprocal.y, reciprocal.z, reciprocal.x);
-    set(&Slot::near_offset, near.x, near.y, near.z, keep(hn::VecFromMask(d, rays.are_flat())));
-    set(&Slot::far_offset, far.x, far.y, far.z, longest_axis);
-    set(&Slot::near_plane, plane(0, falls_x), plane(2, falls_y), plane(4, falls_z),
-        number(hn::Add(hn::Set(dw, orders), hn::ShiftLeft<2>(octant))));
-    set(&Slot::limit, hn::Mul(t, hn::Set(d, widening)), t, number(keep(rays.id)), number(keep(rays.number)));
-    set(&Slot::origin, origin.x, origin.y, origin.z, origin.x);
-    set(&Slot::direction, direction.x, direction.y, direction.z, direction.x);
+    constexpr uint32_t orders = offsetof(WideNode<lane_count>, far_to_near),
+                       rows_down = (2u << (row_bits + 8)) | (4u << (row_bits + 16)) | (orders << 24);
+    static_assert(orders + 7 * sizeof(uint32_t) < 256);
+    const WordLanes planes = hn::Add(
+        hn::Add(hn::Set(dw, rows_down), hn::ShiftLeft<26>(octant)),
+        hn::Add(hn::ShiftLeft<row_bits>(falls_x),
+                hn::Add(hn::ShiftLeft<row_bits + 8>(falls_y), hn::ShiftLeft<row_bits + 16>(falls_z))));
+    set(&Slot::near_plane, 0, number(planes), number(keep(rays.number)),
+        keep(hn::VecFromMask(d, rays.are_flat())), longest_axis);
+    set(&Slot::reciprocal, 0, reciprocal.x, reciprocal.y, reciprocal.z, offset.x);
+    set(&Slot::reciprocal, 1, offset.y, offset.z, keep(rays.t), number(keep(rays.id)));
+    set(&Slot::origin, 0, origin.x, origin.y, origin.z, origin.x);
+    set(&Slot::direction, 0, direction.x, direction.y, direction.z, direction.x);
   }
 
   [[nodiscard]] HWY_INLINE Along along(FloatLanes from, FloatLanes direction) const {
@@ -151,15 +172,10 @@ class RayLoader {
     const FloatLanes reciprocal =
         hn::IfThenElse(is_flat, hn::CopySign(hn::Set(d, flat_axes_.reciprocal()), direction),
                        hn::Div(hn::Set(d, 1.0f), direction));
-    const FloatLanes offset = hn::Neg(hn::Mul(from, reciprocal));
-    return {reciprocal, offset,
-            hn::IfThenElse(is_flat, hn::Set(d, FlatAxes::way),
-                           hn::MulAdd(hn::Abs(offset), hn::Set(d, offset_error), hn::Set(d, smallest))),
-            is_flat};
+    return {reciprocal, hn::Neg(hn::Mul(from, reciprocal)), is_flat};
   }
 
-  /// Which rays meet the box around everything. As in Slot, offsets are moved to the safe side, here by
-  /// 8u|c|: product and sum are rounded apart.
+  /// Which rays meet the box around everything, whose planes lie further out as nodes' do.
   [[nodiscard]] HWY_INLINE Meets meets_scene(const Rays& rays) const {
     const Floats d;
     FloatLanes enter = hn::Zero(d), leave = rays.t, flat_way = hn::Zero(d);
@@ -175,9 +191,7 @@ class RayLoader {
       is_beside = hn::Or(is_beside, hn::And(way.is_flat, is_outside));
       const FloatLanes a = hn::Mul(hn::Set(Floats(), lower), way.reciprocal),
                        b = hn::Mul(hn::Set(Floats(), upper), way.reciprocal);
-      const FloatLanes slack = hn::Add(way.error, way.error);
-      const FloatLanes first = hn::Sub(hn::Add(hn::Min(a, b), way.offset), slack),
-                       last = hn::Add(hn::Add(hn::Max(a, b), way.offset), slack);
+      const FloatLanes first = hn::Add(hn::Min(a, b), way.offset), last = hn::Add(hn::Max(a, b), way.offset);
       enter = hn::IfThenElse(way.is_flat, enter, hn::Max(enter, first));
       leave = hn::IfThenElse(way.is_flat, leave, hn::Min(leave, last));
     };
@@ -197,10 +211,12 @@ class RayLoader {
   }
 
   const RayBatch& rays_;
-  const HitBatch& hits_;
+  HitBatch& hits_;
   const Box<float>& bounds_;
   const FlatAxes flat_axes_;
+  const bool takes_flat_, begins_hits_;
   const std::vector<uint32_t>& groups_;
+  std::vector<uint32_t>& flat_groups_;
   std::vector<uint32_t>& left_over_;
   size_t next_ = 0;  // number, in all groups, of the first ray not looked at
 };

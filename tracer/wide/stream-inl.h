@@ -30,20 +30,24 @@ class Stream {
   using Block = typename Geometry::Block;
   static_assert(sizeof(WideNode<8>) == 256 && offsetof(WideNode<8>, children) == 192);
 
-  HWY_INLINE Stream(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch)
+  /// Of the rays in the groups that `scratch` lists takes either the flat ones or all others.
+  HWY_INLINE Stream(const Geometry& geometry, const RayBatch& rays, HitBatch& hits, KernelScratch& scratch,
+                    bool takes_flat)
       : nodes_(geometry.tree.nodes.data()),
         blocks_(geometry.blocks.data()),
         hits_(hits),
         scratch_(scratch),
         count_(scratch.visits),
-        loader_(rays, hits, geometry.tree.bounds, scratch),
+        takes_flat_(takes_flat),
+        loader_(geometry, rays, hits, scratch, takes_flat),
         looks_(*geometry.primitives, geometry.blocks.data(), stacks_) {
     const size_t stack_size = Stacks::size_for(geometry.tree);
-    slots_ =
-        static_cast<char*>(scratch.reserve(slot_count * (sizeof(Slot) + stack_size * Stacks::entry_bytes) +
-                                           RayLists::size() * sizeof(uint32_t)));
-    lists_.place(reinterpret_cast<uint32_t*>(
-        stacks_.place(slots_ + slot_count * sizeof(Slot), slot_count, stack_size)));
+    constexpr size_t slot_bytes = sizeof(Slot) + sizeof(Distances);
+    slots_ = static_cast<char*>(scratch.reserve(slot_count * (slot_bytes + stack_size * Stacks::entry_bytes) +
+                                                RayLists::size() * sizeof(uint32_t)));
+    distances_ = slots_ + slot_count * sizeof(Slot);
+    lists_.place(
+        reinterpret_cast<uint32_t*>(stacks_.place(slots_ + slot_count * slot_bytes, slot_count, stack_size)));
     for (uint32_t i = 0; i < slot_count; ++i) {
       const auto offset = static_cast<uint32_t>(i * sizeof(Slot));
       Slot& slot = *new (slots_ + offset) Slot;
@@ -58,7 +62,7 @@ class Stream {
     while (lists_.next_nodes.count + lists_.leaves.count + lists_.candidates.count > 0) {
       std::swap(lists_.nodes, lists_.next_nodes);
       lists_.next_nodes.count = lists_.ended.count = 0;
-      visit_nodes();
+      takes_flat_ ? visit_nodes<true>() : visit_nodes<false>();
       // Fewer wait for others, as long as there are nodes to visit: a loop's end takes as long as some
       // visits.
       constexpr uint32_t enough = 16;
@@ -69,7 +73,7 @@ class Stream {
       end_rays();
       begin_rays();
     }
-    scratch_.choice(any).went_alone(cycles_, loader_.ray_count());
+    scratch_.choice(any).went_alone(cycles_, takes_flat_ ? 0 : loader_.ray_count());
   }
 
  private:
@@ -112,6 +116,7 @@ class Stream {
     lists_.empty.count += count;
   }
 
+  template <bool is_flat>
   HWY_NOINLINE HWY_ATTR void visit_nodes() {
     const uint32_t count = lists_.nodes.count;
     cycles_ += count * StepCosts::ray_node;
@@ -137,7 +142,7 @@ class Stream {
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + now[i]);
       const char* const node = reinterpret_cast<const char*>(nodes + slot.current);
-      const Meeting meeting = meet_of_ray(slot, node);
+      const Meeting meeting = meet_of_ray<is_flat>(slot, node);
       if constexpr (any)
         return Step{{children_of(node), bits_of(meeting.met)}, &slot};
       else
@@ -165,6 +170,7 @@ class Stream {
     char* const slots = slots_;
     uint32_t* const leaves = lists_.leaves.slots;
     const Stacks stacks = stacks_;
+    char* const distances = distances_;
     const auto first = [&](uint32_t i) RAYSWEEP_STEP {
       Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
       const Block& block = blocks[child_index(slot.current)];
@@ -176,7 +182,8 @@ class Stream {
                      seen_from(Method{}, by_axes(slot.origin), prepare(Method{}, corners_of(block, axes))));
     };
     const auto second = [&](const auto& projected, uint32_t i) RAYSWEEP_STEP {
-      Slot& slot = *reinterpret_cast<Slot*>(slots + leaves[i]);
+      const uint32_t offset = leaves[i];
+      Slot& slot = *reinterpret_cast<Slot*>(slots + offset);
       const uint32_t index = child_index(slot.current);
       const Block& block = blocks[index];
       const auto found = divide(d, projected);
@@ -185,7 +192,7 @@ class Stream {
       const LaneMask hits = is_hit(d, found);
       const uint32_t candidates = bits_of(hits) | (spheres & ((1u << block.count) - 1));
       hn::Store(hn::IfThenElse(hits, found.t, hn::Set(d, std::numeric_limits<float>::infinity())), d,
-                slot.distances);
+                Distances::of(offset, distances).t);
       slot.block = index;
       stacks.leave_block(slot, block.more);
       // Not by a condition: compilers make a branch of it, which nobody can guess.
@@ -205,8 +212,8 @@ class Stream {
     cycles_ += count * StepCosts::ray_look;
     RAYSWEEP_COUNT(count_, Visited::ray_look, count);
     for (uint32_t i = 0; i < count; i += lane_count)
-      looks_.look_at(slots_, candidates.slots + i, std::min<uint32_t>(count - i, lane_count), looked_at + i,
-                     RayLists::wanted(looked_at) + i);
+      looks_.look_at(slots_, distances_, candidates.slots + i, std::min<uint32_t>(count - i, lane_count),
+                     looked_at + i, RayLists::wanted(looked_at) + i);
     hn::Store(hn::LoadU(Words(), candidates.slots + count), Words(), candidates.slots);
     candidates.count = left;
     lists_.add<false>(looked_at, count);
@@ -217,10 +224,12 @@ class Stream {
   HitBatch& hits_;
   KernelScratch& scratch_;
   char* slots_;
+  char* distances_;
   Stacks stacks_;
   RayLists lists_;
   uint64_t cycles_ = 0;  // that it took so far, about
   [[no_unique_address]] const VisitCounter count_;
+  const bool takes_flat_;
   RayLoader<Method, any> loader_;
   const HitLooks<Method, any> looks_;
 };

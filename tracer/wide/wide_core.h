@@ -105,11 +105,7 @@ class WideCore {
   /// Planes have no boxes: each ray meets all of them first.
   template <class IsBefore>
   void begin(const RayBatch& rays, HitBatch& hits, IsBefore&& is_before) const {
-    if (primitives_.first_sphere() == 0) {
-      std::copy_n(rays.t_max.begin(), rays.size, hits.t.begin());
-      std::fill_n(hits.id.begin(), rays.size, no_hit_id);
-      return;
-    }
+    if (geometry_.begins_hits()) return;
     for (size_t i = 0; i < rays.size; ++i) {
       Hit<float> nearest = Hit<float>::none(rays.t_max[i]);
       for (uint32_t id = 0; id < primitives_.first_sphere(); ++id) {

@@ -24,7 +24,7 @@ template <int width>
 struct alignas(64) WideNode {
   static constexpr int order_bits = 3;  // to number up to 8 children
 
-  float bounds[3][2][width];  // [axis][0]: lower bounds, [axis][1]: upper ones
+  float bounds[3][2][width];  // [axis][0]: lower bounds, [axis][1]: upper ones; a bit wider than the boxes
   WideChild children[width];
   /// For each octant of directions (bit 0: towards lower x, bit 1: y, bit 2: z) the children's numbers from
   /// far to near, `order_bits` each, the farthest in the lowest bits.
@@ -52,7 +52,7 @@ struct WideTree {
   std::vector<uint8_t> block_goes_on;
   int depth = 0;        // inner nodes on the longest path
   double cost = 0;      // expected visits a ray: nodes and blocks, each weighted by the chance to be met
-  Box<float> bounds;    // of everything
+  Box<float> bounds;    // of everything, as much wider as nodes'
   bool is_cut = false;  // items lie in several leaves
 
   /// Entries that any traversal's stack may need.

@@ -56,6 +56,19 @@ TEST(visit_counts, of_rays_alone_are_what_they_meet) {
       });
 }
 
+TEST(visit_counts, of_flat_rays_are_those_of_all_others) {
+  std::vector<TestRay<float>> rays = rays_down_the_row(-0.5f);
+  for (const size_t flat : {0, 3, 9}) rays[flat].ray.direction = {0, 0, -1};
+  for_each_wide_core<MollerTrumbore>(
+      triangles_in_a_row(1), "sah", 4, [&](const auto& core, std::string_view isa) {
+        for (const Grouping grouping : {Grouping::single, Grouping::packets})
+          EXPECT_EQ(trace(core, rays, grouping).visits[Visited::ray_look], 16u) << isa;
+        EXPECT_EQ(trace(core, rays, Grouping::single).visits,
+                  trace(core, rays_down_the_row(-0.5f), Grouping::single).visits)
+            << isa;
+      });
+}
+
 TEST(visit_counts, of_a_packet_are_those_of_one_ray) {
   for_each_wide_core<MollerTrumbore>(
       triangles_in_a_row(1), "sah", 4, [](const auto& core, std::string_view isa) {

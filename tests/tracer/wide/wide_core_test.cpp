@@ -44,6 +44,34 @@ TEST(wide_core, agrees_with_leaves_of_many_blocks) {
                                      200);
 }
 
+/// Hits of an earlier batch, nearer than any or of rays that were hidden; with planes, which are asked before
+/// kernels, and without.
+TEST(wide_core, what_hits_held_before_does_not_matter) {
+  for (const Scene& scene : {mixed_scene(), scenes_up_to(brute_force_triangles).front().make(1)}) {
+    const ScalarCore<float, MollerTrumbore> oracle(scene, "sah", 4);
+    const auto tests = make_rays<float>(scene, oracle, "shadow", 777);
+    const RayBatch rays = batch_of(tests);
+    for_each_wide_core<MollerTrumbore>(scene, "sah", 4, [&](const auto& core, std::string_view isa) {
+      for (const Grouping grouping : {Grouping::single, Grouping::packets}) {
+        HitBatch nearest(rays.size);
+        std::ranges::fill(nearest.t, 0x1p-30f);
+        std::ranges::fill(nearest.id, 0);
+        HitBatch any = nearest;
+        KernelScratch scratch;
+        core.closest(rays, nearest, scratch, grouping);
+        core.occluded(rays, any, scratch, grouping);
+        size_t wrong = 0;
+        for (size_t i = 0; i < rays.size; ++i) {
+          const auto hit = oracle.closest(tests[i].ray, Hit<float>::start(), tests[i].t_max);
+          wrong += nearest.id[i] != (hit ? hit->id : no_hit_id) ||
+                   (any.id[i] != no_hit_id) != oracle.occluded(tests[i].ray, tests[i].t_max);
+        }
+        EXPECT_EQ(wrong, 0u) << isa;
+      }
+    });
+  }
+}
+
 TEST(wide_core, a_scene_without_shapes_has_no_hits) {
   Scene empty;
   empty.camera = mixed_scene().camera;
