@@ -2,7 +2,7 @@
 // HWY_ONCE.
 #include "experiments/kernels/highway_loops.h"
 
-#include "tracer/wide/targets.h"
+#include "tracer/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "experiments/kernels/highway_loops.cpp"

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tracer/accel/surface.h"
+#include "tracer/accel/triangle_faces.h"
 #include "tracer/unset_memory.h"
 
 namespace raysweep {
@@ -98,12 +99,11 @@ class CompactTriangles {
     for (size_t v = share(piece.begin); v < share(piece.end); ++v)
       vertices_[piece.first_vertex + v] = Vec3<T>(mesh.vertices[v]);
     const auto base = static_cast<uint32_t>(piece.first_vertex);
-    constexpr size_t at_once = 16;
-    std::array<Triangle<T>, at_once> some{};
-    for (size_t first = piece.begin; first < piece.end; first += at_once) {
-      const size_t count = std::min(at_once, piece.end - first);
+    std::array<Triangle<T>, faces_at_once> some{};
+    for (size_t first = piece.begin; first < piece.end; first += faces_at_once) {
+      const size_t count = std::min(faces_at_once, piece.end - first);
       for (size_t i = 0; i < count; ++i) some[i] = triangle_of<T>(mesh, first + i);
-      const auto faces = faces_of(some);
+      const auto faces = wide_faces_of(some);
       for (size_t i = 0; i < count; ++i) {
         const auto& [a, b, c] = mesh.triangles[first + i];
         triangles_[piece.first_triangle + first + i] = {{base + a, base + b, base + c}, faces[i]};

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "tracer/wide/targets.h"
+#include "tracer/targets.h"
 
 namespace raysweep {
 

@@ -1,6 +1,6 @@
 // Read once for each instruction set by Highway's foreach_target.h, then once more for what stands under
 // HWY_ONCE.
-#include "tracer/wide/targets.h"
+#include "tracer/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/wide/kernels_woop_watertight.cpp"
