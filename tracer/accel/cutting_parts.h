@@ -29,8 +29,8 @@ class CuttingParts : public Parts<T> {
     if (!this->takes_a_plane(part)) return this->split_without_plane(part, left, right);
     const BinMapping<T> bin_of = this->mapping(part);
     Bins<T> bins(bin_of.count);
-    bins.add(this->references(part), bin_of);
-    const SplitPlane<T> best = PlaneSweep<T>(bins, bin_of.count, this->block_shift()).cheapest();
+    this->steps().fill(bins, this->references(part), bin_of);
+    const SplitPlane<T> best = this->steps().cheapest(bins, bin_of.count, this->block_shift());
     if (part.room > 0 && overlap(best) > least_overlap_) {
       const SpatialPlane<T> cut = cheapest_cut(part, bin_of.count);
       if (cut.cost < best.cost && tree_cost(cut) < tree_cost(best, part) && this->pays(part, cut.cost)) {

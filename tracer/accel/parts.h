@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tracer/accel/hierarchy.h"
-#include "tracer/accel/split_plane.h"
+#include "tracer/accel/split_steps.h"
 #include "tracer/unset_memory.h"
 
 namespace raysweep {
@@ -51,6 +51,7 @@ class Parts {
     for (auto& buffer : buffers_) buffer.resize(count);
   }
 
+  [[nodiscard]] const SplitSteps<T>& steps() const { return steps_; }
   [[nodiscard]] std::span<Reference<T>> references(const Part<T>& part) {
     return std::span(buffers_[part.buffer]).subspan(part.begin, part.count());
   }
@@ -66,7 +67,7 @@ class Parts {
   /// None where a leaf is no dearer. The plane's cost is infinite where all are.
   [[nodiscard]] std::optional<SplitPlane<T>> plane(const Part<T>& part, const Bins<T>& bins,
                                                    int count) const {
-    const SplitPlane<T> best = PlaneSweep<T>(bins, count, block_shift_).cheapest();
+    const SplitPlane<T> best = steps_.cheapest(bins, count, block_shift_);
     return pays(part, best.cost) ? std::optional(best) : std::nullopt;
   }
   /// The parts that `plane` makes of `part`, without their centres.
@@ -81,7 +82,7 @@ class Parts {
     if (takes_a_plane(part)) {
       const BinMapping<T> bin_of = mapping(part);
       Bins<T> bins(bin_of.count);
-      bins.add(references(part), bin_of);
+      steps_.fill(bins, references(part), bin_of);
       const auto best = plane(part, bins, bin_of.count);
       if (!best) return false;
       return split_at(part, bin_of, *best, left, right);
@@ -103,10 +104,10 @@ class Parts {
                 Part<T>& right) {
     if (!(best.cost < Box<T>::inf)) return split_without_plane(part, left, right);
     divide(part, best, left, right);
-    partition<T>(references(part), bin_of, best.axis, best.bin, references(left).data(),
-                 references(right).data());
-    left.centres = bounds_of_centres<T>(references(left));
-    right.centres = bounds_of_centres<T>(references(right));
+    const auto moved =
+        steps_.move(references(part), bin_of, best, references(left).data(), references(right).data());
+    left.centres = moved.left;
+    right.centres = moved.right;
     return true;
   }
   /// As `split`.
@@ -154,6 +155,7 @@ class Parts {
     }
   }
 
+  const SplitSteps<T> steps_ = SplitSteps<T>::here();
   uint32_t leaf_size_;
   int block_shift_;
   UnsetVector<Reference<T>> buffers_[2];

@@ -115,6 +115,7 @@ struct Bins {
   };
   Bin bin[most_bins];
 
+  Bins() {}  // not set, which is for whoever fills them
   explicit Bins(int used) {
     for (Bin& b : std::span(bin, static_cast<size_t>(used))) {
       std::fill_n(b.box, 3, LaneBox<T>::empty());

@@ -17,7 +17,7 @@ template <class T>
 struct Chunk {
   size_t part;  // its index in the level
   uint32_t begin, end;
-  Bins<T> bins{most_bins};
+  Bins<T> bins{};
   uint32_t left_begin = 0, right_begin = 0;
   LaneBox<T> left = LaneBox<T>::empty(), right = LaneBox<T>::empty();  // of centres
 };
@@ -99,7 +99,8 @@ class Builder {
     }
     for_each_(chunks.size(), [&](size_t i) {
       Chunk<T>& chunk = chunks[i];
-      chunk.bins.add(references(chunk, cuts), cuts[chunk.part].mapping);
+      chunk.bins = Bins<T>(most_bins);
+      parts_.steps().fill(chunk.bins, references(chunk, cuts), cuts[chunk.part].mapping);
     });
     for (const Chunk<T>& chunk : chunks) cuts[chunk.part].bins.add(chunk.bins, most_bins);
     for (Cut<T>& cut : cuts) choose_plane(cut);
@@ -152,10 +153,9 @@ class Builder {
     if (!cut.is_split()) return;
     Reference<T>* const left = parts_.references(cut.left).data() + chunk.left_begin;
     Reference<T>* const right = parts_.references(cut.right).data() + chunk.right_begin;
-    const size_t left_count =
-        partition<T>(references(chunk, cuts), cut.mapping, cut.plane->axis, cut.plane->bin, left, right);
-    chunk.left = bounds_of_centres<T>(std::span(left, left_count));
-    chunk.right = bounds_of_centres<T>(std::span(right, chunk.end - chunk.begin - left_count));
+    const auto moved = parts_.steps().move(references(chunk, cuts), cut.mapping, *cut.plane, left, right);
+    chunk.left = moved.left;
+    chunk.right = moved.right;
   }
 
   void build_subtrees() {

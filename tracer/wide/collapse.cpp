@@ -163,7 +163,7 @@ class Collapser {
 
   WideTree<width> run() {
     // Subtrees share the work.
-    constexpr size_t enough_subtrees = 64;
+    const size_t enough_subtrees = shared_subtrees(binary_);
     Emitter<width> top(binary_, plan_, items_);
     top.tree.nodes.emplace_back();
     std::vector<Pending> open{{0, 0, 1}};

@@ -11,6 +11,11 @@
 
 namespace raysweep {
 
+/// As how many subtrees a hierarchy is shared: what is above them nobody shares, so a small one makes few.
+[[nodiscard]] inline size_t shared_subtrees(const Hierarchy<float>& binary) {
+  return std::clamp<size_t>(binary.nodes.size() / 256, 8, 64);
+}
+
 /// The cheapest ways to make each binary node's subtree into children of one wide node.
 template <int width>
 class CollapsePlan {
@@ -18,7 +23,7 @@ class CollapsePlan {
   CollapsePlan(const Hierarchy<float>& binary, const CollapseOptions& options, const ForEach& for_each)
       : binary_(binary), options_(options), plans_(binary.nodes.size()) {
     // Subtrees share the work; what is above them is planned last, from below.
-    constexpr size_t enough_subtrees = 128;
+    const size_t enough_subtrees = 2 * shared_subtrees(binary);
     std::vector<uint32_t> open{0}, above;
     size_t next = 0;
     for (; next < open.size() && open.size() - next < enough_subtrees; ++next) {
