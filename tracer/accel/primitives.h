@@ -31,8 +31,9 @@ class Primitives {
  public:
   using Prepared = typename Method::template Prepared<T>;
 
-  /// `for_each` shares the work.
-  explicit Primitives(const Scene& scene, const ForEach& for_each = one_after_the_other);
+  /// `for_each` shares the work. `boxes` get what `boxes()` gives, which is quicker found on the way.
+  explicit Primitives(const Scene& scene, const ForEach& for_each = one_after_the_other,
+                      UnsetVector<Box<T>>* boxes = nullptr);
 
   [[nodiscard]] uint32_t first_sphere() const { return first_sphere_; }
   [[nodiscard]] uint32_t first_triangle() const { return first_triangle_; }
@@ -138,7 +139,8 @@ class Primitives {
 inline constexpr size_t primitives_at_once = 1024;  // take some 20 µs
 
 template <class T, class Method, class Triangles>
-Primitives<T, Method, Triangles>::Primitives(const Scene& scene, const ForEach& for_each)
+Primitives<T, Method, Triangles>::Primitives(const Scene& scene, const ForEach& for_each,
+                                             UnsetVector<Box<T>>* boxes)
     : first_sphere_(static_cast<uint32_t>(scene.planes.size())),
       first_triangle_(first_sphere_ + static_cast<uint32_t>(scene.spheres.size())) {
   for (const Plane& p : scene.planes) {
@@ -160,9 +162,15 @@ Primitives<T, Method, Triangles>::Primitives(const Scene& scene, const ForEach& 
   }
   triangles_.resize(triangles, vertices);
   materials_.resize(first_triangle() + triangles);
+  Box<T>* triangle_boxes = nullptr;
+  if (boxes != nullptr) {
+    boxes->resize(sphere_count() + triangles);
+    for (size_t i = 0; i < spheres_.size(); ++i) (*boxes)[i] = box_around(spheres_[i]);
+    triangle_boxes = boxes->data() + sphere_count();
+  }
   for_each(pieces.size(), [&](size_t i) {
     const MeshPiece& piece = pieces[i];
-    triangles_.fill(piece);
+    triangles_.fill(piece, triangle_boxes);
     const auto first =
         materials_.begin() + first_triangle() + static_cast<std::ptrdiff_t>(piece.first_triangle);
     std::fill(first + static_cast<std::ptrdiff_t>(piece.begin),

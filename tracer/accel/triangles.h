@@ -60,12 +60,14 @@ class TrianglesAtHand {
     shapes_.resize(triangles);
     boxes_.resize(triangles);
   }
-  /// Different pieces may be filled at the same time.
-  void fill(const MeshPiece& piece) {
+  /// Different pieces may be filled at the same time; with them all triangles' `boxes`, where they are asked
+  /// for.
+  void fill(const MeshPiece& piece, Box<T>* boxes) {
     for (size_t i = piece.begin; i < piece.end; ++i) {
       const Triangle<T> t = triangle_of<T>(*piece.mesh, i);
       shapes_[piece.first_triangle + i] = {TriangleShape<T>(t)};
       boxes_[piece.first_triangle + i] = box_around(t);
+      if (boxes != nullptr) boxes[piece.first_triangle + i] = box(piece.first_triangle + i);
     }
   }
   [[nodiscard]] size_t count() const { return shapes_.size(); }
@@ -93,7 +95,7 @@ class CompactTriangles {
     triangles_.resize(triangles);
     vertices_.resize(vertices);
   }
-  void fill(const MeshPiece& piece) {
+  void fill(const MeshPiece& piece, Box<T>* boxes) {
     const Mesh& mesh = *piece.mesh;
     const auto share = [&](size_t i) { return mesh.vertices.size() * i / mesh.triangles.size(); };
     for (size_t v = share(piece.begin); v < share(piece.end); ++v)
@@ -107,6 +109,7 @@ class CompactTriangles {
       for (size_t i = 0; i < count; ++i) {
         const auto& [a, b, c] = mesh.triangles[first + i];
         triangles_[piece.first_triangle + first + i] = {{base + a, base + b, base + c}, faces[i]};
+        if (boxes != nullptr) boxes[piece.first_triangle + first + i] = box_around(some[i]);
       }
     }
   }

@@ -34,17 +34,23 @@ struct WideGeometry {
 
  private:
   void fill(size_t b) {
-    blocks[b] = Block{};
-    blocks[b].more = tree.block_goes_on[b];
-    for (size_t lane = 0; lane < width; ++lane) set_lane(blocks[b], lane, tree.block_items[b * width + lane]);
+    Block& block = blocks[b];
+    block.count = 0;
+    block.more = tree.block_goes_on[b];
+    for (size_t lane = 0; lane < width; ++lane) {
+      const uint32_t item = tree.block_items[b * width + lane];
+      block.id[lane] = item == no_hit_id ? no_hit_id : primitives->first_sphere() + item;
+      if (item != no_hit_id) block.count = static_cast<uint32_t>(lane) + 1;
+      if (item != no_hit_id && block.id[lane] >= primitives->first_triangle()) {
+        set_triangle(block, lane);
+      } else {
+        for (auto& row : block.corners) row[lane] = std::numeric_limits<float>::quiet_NaN();
+        for (auto& row : block.normal) row[lane] = 0;
+      }
+    }
   }
 
-  void set_lane(Block& block, size_t lane, uint32_t item) const {
-    for (auto& row : block.corners) row[lane] = std::numeric_limits<float>::quiet_NaN();
-    block.id[lane] = item == no_hit_id ? no_hit_id : primitives->first_sphere() + item;
-    if (block.id[lane] == no_hit_id) return;
-    block.count = static_cast<uint32_t>(lane) + 1;
-    if (block.id[lane] < primitives->first_triangle()) return;
+  void set_triangle(Block& block, size_t lane) const {
     const TriangleShape<float> shape = primitives->triangle_shape(block.id[lane]);
     const auto set_rows = [&](float(*rows)[width], const Vec3f& v) {
       rows[0][lane] = v.x;

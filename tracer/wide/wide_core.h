@@ -28,15 +28,7 @@ class WideCore {
   /// `isa` must run here and be `width` wide. `for_each` shares the work of building.
   WideCore(const Scene& scene, const std::string& accel, int leaf_size, std::string_view isa,
            const ForEach& for_each = one_after_the_other)
-      : primitives_(scene, for_each),
-        geometry_(primitives_, build(accel, leaf_size, for_each), for_each),
-        kernels_(kernels_for<Method, width>(isa)) {
-    if (!kernels_.single.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
-    // Kernels may overflow with such boxes.
-    const Box<float>& bounds = geometry_.tree.bounds;
-    is_tame_ = std::max(max_abs(bounds.lower()), max_abs(bounds.upper())) <= 0x1p60f ||
-               primitives_.count() == primitives_.first_sphere();
-  }
+      : WideCore(scene, accel, leaf_size, isa, for_each, UnsetVector<Box<float>>()) {}
   WideCore(const WideCore&) = delete;  // the geometry points to the primitives
   WideCore& operator=(const WideCore&) = delete;
 
@@ -89,13 +81,25 @@ class WideCore {
   }
 
  private:
+  /// `boxes`: none, to begin with.
+  WideCore(const Scene& scene, const std::string& accel, int leaf_size, std::string_view isa,
+           const ForEach& for_each, UnsetVector<Box<float>> boxes)
+      : primitives_(scene, for_each, &boxes),
+        geometry_(primitives_, build(accel, leaf_size, boxes, for_each), for_each),
+        kernels_(kernels_for<Method, width>(isa)) {
+    if (!kernels_.single.closest) throw std::invalid_argument("no kernels for \"" + std::string(isa) + "\"");
+    // Kernels may overflow with such boxes.
+    const Box<float>& bounds = geometry_.tree.bounds;
+    is_tame_ = std::max(max_abs(bounds.lower()), max_abs(bounds.upper())) <= 0x1p60f ||
+               primitives_.count() == primitives_.first_sphere();
+  }
+
   [[nodiscard]] WideTree<width> build(const std::string& accel, int leaf_size,
-                                      const ForEach& for_each) const {
+                                      std::span<const Box<float>> boxes, const ForEach& for_each) const {
     // The collapse decides itself what is a leaf, so it is handed small ones: to split those further takes
     // time and gains nothing. Others are studied for their leaves.
     constexpr int small_leaf = width - 1;
     const bool merges_leaves = accel == "sah" || accel == "sbvh";
-    const UnsetVector<Box<float>> boxes = primitives_.boxes(for_each);
     const Hierarchy<float> binary =
         build_by_name<float>(accel, boxes, primitives_.sphere_count(), merges_leaves ? small_leaf : leaf_size,
                              merges_leaves ? width : 1, for_each);
