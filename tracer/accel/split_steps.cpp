@@ -15,31 +15,23 @@ namespace HWY_NAMESPACE {
 
 // Each together with all that it calls, which is plain code.
 
-template <class T>
-[[gnu::flatten]] HWY_ATTR void fill(Bins<T>& bins, std::span<const Reference<T>> references,
-                                    const BinMapping<T>& mapping) {
+[[gnu::flatten]] HWY_ATTR void fill(Bins<float>& bins, std::span<const Reference<float>> references,
+                                    const BinMapping<float>& mapping) {
   bins.add(references, mapping);
 }
 
-template <class T>
-[[gnu::flatten]] HWY_ATTR SplitPlane<T> cheapest(const Bins<T>& bins, int count, int block_shift) {
-  return PlaneSweep<T>(bins, count, block_shift).cheapest();
+[[gnu::flatten]] HWY_ATTR SplitPlane<float> cheapest(const Bins<float>& bins, int count, int block_shift) {
+  return PlaneSweep<float>(bins, count, block_shift).cheapest();
 }
 
-template <class T>
-[[gnu::flatten]] HWY_ATTR typename SplitSteps<T>::Moved move(std::span<const Reference<T>> references,
-                                                             const BinMapping<T>& mapping,
-                                                             const SplitPlane<T>& plane, Reference<T>* left,
-                                                             Reference<T>* right) {
-  return move_to_sides<T>(references, mapping, plane, left, right);
+[[gnu::flatten]] HWY_ATTR SplitSteps<float>::Moved move(std::span<const Reference<float>> references,
+                                                        const BinMapping<float>& mapping,
+                                                        const SplitPlane<float>& plane,
+                                                        Reference<float>* left, Reference<float>* right) {
+  return move_to_sides<float>(references, mapping, plane, left, right);
 }
 
-template <class T>
-SplitSteps<T> split_steps() {
-  return {&fill<T>, &cheapest<T>, &move<T>};
-}
-SplitSteps<float> float_steps() { return split_steps<float>(); }
-SplitSteps<double> double_steps() { return split_steps<double>(); }
+SplitSteps<float> split_steps() { return {&fill, &cheapest, &move}; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace raysweep
@@ -49,16 +41,24 @@ HWY_AFTER_NAMESPACE();
 
 namespace raysweep {
 
-HWY_EXPORT(float_steps);
-HWY_EXPORT(double_steps);
+HWY_EXPORT(split_steps);
 
 template <>
 SplitSteps<float> SplitSteps<float>::here() {
-  return HWY_DYNAMIC_DISPATCH(float_steps)();
+  return HWY_DYNAMIC_DISPATCH(split_steps)();
 }
+
+/// Plain: where vectors of 32 bytes are no machine's own, nothing aligns them, which AVX would ask for.
 template <>
 SplitSteps<double> SplitSteps<double>::here() {
-  return HWY_DYNAMIC_DISPATCH(double_steps)();
+  using References = std::span<const Reference<double>>;
+  return {[](Bins<double>& bins, References references, const BinMapping<double>& mapping) {
+            bins.add(references, mapping);
+          },
+          [](const Bins<double>& bins, int count, int block_shift) {
+            return PlaneSweep<double>(bins, count, block_shift).cheapest();
+          },
+          &move_to_sides<double>};
 }
 
 }  // namespace raysweep

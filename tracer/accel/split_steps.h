@@ -5,7 +5,8 @@
 
 namespace raysweep {
 
-/// The same code, perhaps compiled for wider vectors than every processor has; what it finds is the same.
+/// The same code, for float perhaps compiled for wider vectors than every processor has; what it finds is the
+/// same.
 template <class T>
 struct SplitSteps {
   /// What went to either side.
