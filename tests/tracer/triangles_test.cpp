@@ -47,14 +47,23 @@ TEST(triangles, are_the_same_however_they_are_kept_and_whoever_shares_the_work) 
   }
 }
 
-TEST(triangles, boxes_are_in_the_order_of_ids) {
-  const Compact<float> primitives(load_scene("studio"));
-  const auto boxes = primitives.boxes(by_threads);
+template <class Primitives>
+void expect_boxes_in_the_order_of_ids(const Primitives& primitives, const UnsetVector<Box<float>>& boxes) {
   ASSERT_EQ(boxes.size(), primitives.count() - primitives.first_sphere());
   for (uint32_t i = 0; i < boxes.size(); ++i) {
     EXPECT_EQ(boxes[i].lower(), primitives.box(primitives.first_sphere() + i).lower());
     EXPECT_EQ(boxes[i].upper(), primitives.box(primitives.first_sphere() + i).upper());
   }
+}
+
+TEST(triangles, boxes_are_in_the_order_of_ids_whenever_they_are_found) {
+  const Scene scene = load_scene("studio");
+  UnsetVector<Box<float>> of_compact, of_at_hand;
+  const Compact<float> compact(scene, by_threads, &of_compact);
+  const AtHand<float> at_hand(scene, by_threads, &of_at_hand);
+  expect_boxes_in_the_order_of_ids(compact, of_compact);
+  expect_boxes_in_the_order_of_ids(compact, compact.boxes());
+  expect_boxes_in_the_order_of_ids(at_hand, of_at_hand);
 }
 
 }  // namespace

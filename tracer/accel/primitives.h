@@ -52,7 +52,7 @@ class Primitives {
                                  : triangles_.box(id - first_triangle());
   }
   /// Of spheres and triangles, for builders of hierarchies: kept nowhere.
-  [[nodiscard]] UnsetVector<Box<T>> boxes(const ForEach& for_each = one_after_the_other) const;
+  [[nodiscard]] UnsetVector<Box<T>> boxes() const;
   [[nodiscard]] const SphereShape<T>& sphere_shape(uint32_t id) const {
     return spheres_[id - first_sphere()];
   }
@@ -179,14 +179,9 @@ Primitives<T, Method, Triangles>::Primitives(const Scene& scene, const ForEach& 
 }
 
 template <class T, class Method, class Triangles>
-UnsetVector<Box<T>> Primitives<T, Method, Triangles>::boxes(const ForEach& for_each) const {
+UnsetVector<Box<T>> Primitives<T, Method, Triangles>::boxes() const {
   UnsetVector<Box<T>> all(count() - first_sphere());
-  for_each((all.size() + primitives_at_once - 1) / primitives_at_once, [&](size_t piece) {
-    const size_t end = std::min((piece + 1) * primitives_at_once, all.size());
-    size_t i = piece * primitives_at_once;
-    for (; i < std::min(end, spheres_.size()); ++i) all[i] = box_around(spheres_[i]);
-    for (; i < end; ++i) all[i] = triangles_.box(i - spheres_.size());
-  });
+  for (uint32_t i = 0; i < all.size(); ++i) all[i] = box(first_sphere() + i);
   return all;
 }
 

@@ -54,8 +54,8 @@ class KernelScratch {
 
 /// For each ray the nearest hit before the one that `hits` holds already (a distance with no id is a limit),
 /// or, of the kernel `any`, some hit nearer than that distance. Where the geometry begins hits, what they
-/// hold is lost: a ray's `t_max` is its limit. Rays with a component of the direction that is 0 or beyond
-/// 2^±60, with an origin beyond 2^60, or with numbers that are not finite are listed in `scratch.left_over`
+/// hold is lost: a ray's `t_max` is its limit. Rays with an origin or a direction beyond 2^60, with numbers
+/// that are not finite, or flat ones that move too far along a flat axis are listed in `scratch.left_over`
 /// and keep their hits.
 template <class Method, int width>
 using BatchKernel = void (*)(const WideGeometry<Method, width>& geometry, const RayBatch& rays,
